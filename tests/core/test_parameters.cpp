@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Tests how input errors read, and the name that a mistyped one was meant to be.
 #include <QTest>
+#include <map>
 
 #include "core/base/error.h"
 #include "core/base/parameters.h"
@@ -14,6 +15,7 @@ class TestParameters : public QObject {
   void errorsReadAsOneLine();
   void nearestName_data();
   void nearestName();
+  void labels();
 };
 
 void TestParameters::errorsReadAsOneLine() {
@@ -55,6 +57,13 @@ void TestParameters::nearestName() {
   constexpr std::array<std::string_view, 4> known{"eye", "lookat", "fov", "windowSize"};
   const std::string_view found = hogelscope::nearestName(name.toStdString(), known);
   QCOMPARE(QString::fromUtf8(found.data(), qsizetype(found.size())), nearest);
+}
+
+void TestParameters::labels() {
+  const std::map<std::string, std::string> labels{
+      {"windowSize", "Window size"},    {"eye", "Eye"},          {"psf", "PSF"}, {"k1", "k1"},
+      {"sub-aperture", "Sub aperture"}, {"fovXMax", "Fov xmax"}, {"", ""}};
+  for (const auto& [name, label] : labels) QCOMPARE(formLabel(name), label);
 }
 
 QTEST_APPLESS_MAIN(TestParameters)

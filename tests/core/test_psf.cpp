@@ -92,6 +92,16 @@ class TestPsf : public QObject {
     QVERIFY(psfKernel({0, 1}) == std::vector{1.0});
   }
 
+  void stepsStayInTheRanges() {
+    QCOMPARE(steppedSigma(0.1, 4), 0.3);  // without the rounding of 0.1 + 4 * 0.05
+    QCOMPARE(steppedSigma(0.1, -1), 0.05);
+    QCOMPARE(steppedSigma(0.05, -1), 0.05);  // 0 is no Gaussian
+    QCOMPARE(steppedSigma(19.98, 1), 20.0);
+    QCOMPARE(steppedWindow(1, 2), 5);
+    QCOMPARE(steppedWindow(3, -2), 1);
+    QCOMPARE(steppedWindow(97, 2), 99);
+  }
+
   /// erf(3.5 / (2√2))² = 0.846 of σ = 2 in 7×7; σ = 1 in 7×7 keeps erf(3.5/√2)² = 0.99907.
   void aWindowThatCutsMoreThanOnePerCentIsTold() {
     QVERIFY(cutsTooMuch({2, 7}));

@@ -92,6 +92,17 @@ class TestStates : public QObject {
     QTEST(namesOf(session), "names");
   }
 
+  void movingByOnePlace() {
+    Session session = abc();
+    QCOMPARE(moveStateUp(session, 2), std::size_t(1));
+    QCOMPARE(namesOf(session), QString("a|c|b"));
+    QCOMPARE(moveStateDown(session, 0), std::size_t(1));
+    QCOMPARE(namesOf(session), QString("c|a|b"));
+    QCOMPARE(moveStateUp(session, 0), std::size_t(0));
+    QCOMPARE(moveStateDown(session, 2), std::size_t(2));
+    QCOMPARE(namesOf(session), QString("c|a|b"));
+  }
+
   void removingLeavesOne() {
     Session session = abc();
     removeStates(session, {1});

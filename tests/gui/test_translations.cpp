@@ -6,7 +6,7 @@
 #include <QXmlStreamReader>
 #include <QtTest>
 
-#include "gui/app/application.h"
+#include "gui/app/translations.h"
 #include "gui/session/state_commands.h"
 #include "gui/view/view_worker.h"
 #include "picture/scene_text.h"

@@ -8,7 +8,7 @@
 #include <QTemporaryDir>
 #include <QtTest>
 
-#include "gui/app/application.h"
+#include "gui/app/translations.h"
 #include "gui/scene/vtk_widget.h"
 #include "gui/session/session_model.h"
 #include "tests/gui/patience.h"

@@ -4,24 +4,18 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <optional>
 
 #include "core/base/error.h"
 #include "core/optics/state_name.h"
 
 namespace hogelscope {
 
-namespace {
-
-/// Returns the index of the state with the name, in any case; none if the name is free.
 std::optional<std::size_t> stateNamed(const Session& session, const std::string& name) {
   const std::u32string folded = caseFolded(name);
   for (std::size_t k = 0; k < session.cameras.size(); ++k)
     if (caseFolded(session.cameras[k].camera.name) == folded) return k;
   return std::nullopt;
 }
-
-}  // namespace
 
 std::string freeName(const Session& session, const std::string& wanted) {
   std::string name = wanted;
@@ -80,6 +74,18 @@ void moveStates(Session& session, const std::vector<std::size_t>& indices, std::
   above.insert(above.end(), moved.begin(), moved.end());
   above.insert(above.end(), below.begin(), below.end());
   session.cameras = std::move(above);
+}
+
+std::size_t moveStateUp(Session& session, std::size_t index) {
+  const std::size_t to = index > 0 ? index - 1 : 0;
+  moveStates(session, {index}, to);
+  return to;
+}
+
+std::size_t moveStateDown(Session& session, std::size_t index) {
+  const std::size_t to = std::min(index + 1, session.cameras.size() - 1);
+  moveStates(session, {index}, to + 1);
+  return to;
 }
 
 void renameState(Session& session, std::size_t index, const std::string& name) {

@@ -12,19 +12,31 @@ namespace hogelscope {
 namespace {
 constexpr std::array<std::string_view, 3> borderNames{"renormalise", "clamp", "black"};
 constexpr std::array<std::string_view, 2> lightNames{"encoded", "linear"};
+constexpr Range sigmaRange{0, 20, 0.01, false, 0, 3};
+constexpr Range windowRange{1, 99, 2, false, 1, 25};
 }  // namespace
 
 void describe(ParameterVisitor& v, PsfParams& p) {
   auto& [sigma, windowSize, border, light] = p;
   v.group("psf", "Light leakage between the directional pixels of a hogel: a Gaussian window.");
-  v.field("sigma", sigma, {0, 20, 0.01, false, 0, 3}, "px",
-          "Standard deviation; above 0 unless windowSize is 1.");
-  v.field("windowSize", windowSize, {1, 99, 2, false, 1, 25}, "px",
+  v.field("sigma", sigma, sigmaRange, "px", "Standard deviation; above 0 unless windowSize is 1.");
+  v.field("windowSize", windowSize, windowRange, "px",
           "Full width of the window, odd: 1, 3, 5, …; 1 is no leakage.");
   v.field("border", border, borderNames,
           "At the hogel's edge: weigh what is inside, repeat the edge pixel, or lose the light.");
   v.field({"light", "Light is summed"}, light, lightNames,
           "Sum the stored values, as the paper does, or sum linear light (decoded from sRGB).");
+}
+
+double steppedSigma(double sigma, int steps) {
+  constexpr double step = 0.05;
+  constexpr double rounding = 1e9;  // keeps sums of steps short in the document
+  const double wanted = std::round((sigma + steps * step) * rounding) / rounding;
+  return wanted > sigmaRange.min ? std::min(wanted, sigmaRange.max) : sigma;
+}
+
+int steppedWindow(int windowSize, int steps) {
+  return int(std::clamp(windowSize + steps * windowRange.step, windowRange.min, windowRange.max));
 }
 
 double energyInWindow(const PsfParams& params) {

@@ -23,6 +23,11 @@ struct PsfParams {
 
 void describe(ParameterVisitor& v, PsfParams& p);
 
+/// Return sigma after steps of 0.05 px, and the window's size after steps of 2 px, both in their
+/// ranges; a sigma that would become 0, which is no Gaussian, stays.
+double steppedSigma(double sigma, int steps);
+int steppedWindow(int windowSize, int steps);
+
 /// Returns the fraction of the Gaussian's energy in the window: erf(windowSize / (2√2 σ))²; 1 for
 /// windowSize 1.
 double energyInWindow(const PsfParams& params);

@@ -3,23 +3,17 @@
 
 #include <QAbstractTextDocumentLayout>
 #include <QAction>
-#include <QHBoxLayout>
-#include <QLabel>
-#include <QLineEdit>
 #include <QScrollBar>
 #include <QShortcut>
-#include <QSplitter>
 #include <QTextBlock>
 #include <QTextLayout>
 #include <QTextTable>
-#include <QToolButton>
-#include <QTreeWidget>
 #include <QTreeWidgetItemIterator>
-#include <QVBoxLayout>
 #include <algorithm>
 
 #include "gui/widgets/command.h"
 #include "gui/widgets/dialogs.h"
+#include "ui_manual_window.h"
 
 namespace hogelscope {
 
@@ -36,13 +30,6 @@ QVariant ManualPage::loadResource(int type, const QUrl& name) {
 }
 
 namespace {
-
-QToolButton* button(const QString& text, const QString& tip) {
-  auto* made = new QToolButton;
-  made->setText(text);
-  made->setToolTip(tip);
-  return made;
-}
 
 const QUrl firstPage("qrc:/manual/manual.md");
 
@@ -66,66 +53,43 @@ QString anchorOf(const QString& heading) {
 }  // namespace
 
 ManualWindow::ManualWindow(QWidget* parent)
-    : QWidget(parent, Qt::Window),
-      m_contents(new QTreeWidget),
-      m_page(new ManualPage),
-      m_search(new QLineEdit),
-      m_note(new QLabel) {
-  setWindowTitle(tr("Manual – Hogelscope"));
-  resize(1080, 760);
-  m_page->setObjectName("manualPage");
-  m_contents->setObjectName("manualContents");
-  m_contents->setHeaderHidden(true);
-  m_search->setObjectName("manualSearch");
-  m_search->setPlaceholderText(tr("Search (Ctrl+F)"));
-  m_search->setToolTip(tr("Enter or F3 finds the next place, Shift+F3 the one before"));
-  m_search->setClearButtonEnabled(true);
-  m_note->setObjectName("manualNote");
-  auto* back = button(tr("Back"), tr("To the page before (Alt+Left)"));
-  auto* row = new QHBoxLayout;
-  row->addWidget(back);
-  row->addWidget(m_search, 1);
-  row->addWidget(m_note);
-  auto* splitter = new QSplitter;
-  splitter->addWidget(m_contents);
-  splitter->addWidget(m_page);
-  splitter->setSizes({260, 820});
-  splitter->setStretchFactor(1, 1);
-  auto* layout = new QVBoxLayout(this);
-  layout->addLayout(row);
-  layout->addWidget(splitter, 1);
-  connect(back, &QToolButton::clicked, m_page, &QTextBrowser::backward);
-  connect(m_page, &QTextBrowser::backwardAvailable, back, &QWidget::setEnabled);
-  connect(m_page, &QTextBrowser::sourceChanged, this, &ManualWindow::showPage);
-  connect(m_contents, &QTreeWidget::currentItemChanged, this, [this](const QTreeWidgetItem* item) {
-    if (item != nullptr) m_page->setSource(item->data(0, Qt::UserRole).toUrl());
-  });
-  back->setEnabled(false);
+    : QWidget(parent, Qt::Window), m_ui(std::make_unique<Ui::ManualWindow>()) {
+  m_ui->setupUi(this);
+  m_ui->splitter->setSizes({260, 820});
+  m_ui->splitter->setStretchFactor(1, 1);
+  connect(m_ui->manualPage, &QTextBrowser::sourceChanged, this, &ManualWindow::showPage);
+  connect(m_ui->manualContents, &QTreeWidget::currentItemChanged, this,
+          [this](const QTreeWidgetItem* item) {
+            if (item != nullptr) m_ui->manualPage->setSource(item->data(0, Qt::UserRole).toUrl());
+          });
   addKeys();
-  m_page->document()->setDocumentMargin(12);
-  m_page->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOn);  // images are as wide as the rest
+  m_ui->manualPage->document()->setDocumentMargin(12);
+  // Always, since images are as wide as the rest.
+  m_ui->manualPage->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOn);
   readChapters();
-  m_page->setSource(firstPage);
+  m_ui->manualPage->setSource(firstPage);
 }
+
+ManualWindow::~ManualWindow() = default;
 
 void ManualWindow::addKeys() {
   const auto key = [this](const QKeySequence& keys, auto action) {
     connect(new QShortcut(keys, this), &QShortcut::activated, this, action);
   };
   key(QKeySequence::Find, [this] {
-    m_search->setFocus();
-    m_search->selectAll();
+    m_ui->manualSearch->setFocus();
+    m_ui->manualSearch->selectAll();
   });
   key(Qt::Key_F3, [this] { find({}); });
   key(Qt::SHIFT | Qt::Key_F3, [this] { find(QTextDocument::FindBackward); });
   key(Qt::Key_Escape, [this] { close(); });
-  connect(m_search, &QLineEdit::returnPressed, this, [this] { find({}); });
+  connect(m_ui->manualSearch, &QLineEdit::returnPressed, this, [this] { find({}); });
 }
 
 void ManualWindow::readChapters() {
   const auto read = [this](const QUrl& url) {
     auto text = std::make_unique<QTextDocument>();
-    const QVariant page = m_page->loadResource(QTextDocument::MarkdownResource, url);
+    const QVariant page = m_ui->manualPage->loadResource(QTextDocument::MarkdownResource, url);
     text->setMarkdown(QString::fromUtf8(page.toByteArray()));
     m_chapters.push_back({url, std::move(text)});
   };
@@ -134,7 +98,7 @@ void ManualWindow::readChapters() {
   for (QTextBlock block = contents.begin(); block.isValid(); block = block.next())
     for (const QTextLayout::FormatRange& range : block.textFormats())
       if (range.format.isAnchor()) read(firstPage.resolved(QUrl(range.format.anchorHref())));
-  const QSignalBlocker quiet(m_contents);
+  const QSignalBlocker quiet(m_ui->manualContents);
   for (const Chapter& chapter : m_chapters) listHeadings(chapter);
 }
 
@@ -144,7 +108,8 @@ void ManualWindow::listHeadings(const Chapter& chapter) {
   forHeadings(*chapter.text, [&](const QTextBlock& block) {
     QUrl place = chapter.url;
     if (title != nullptr) place.setFragment(anchorOf(block.text()));
-    auto* item = title != nullptr ? new QTreeWidgetItem(title) : new QTreeWidgetItem(m_contents);
+    auto* item =
+        title != nullptr ? new QTreeWidgetItem(title) : new QTreeWidgetItem(m_ui->manualContents);
     item->setText(0, block.text());
     item->setData(0, Qt::UserRole, place);
     if (title == nullptr) title = item;
@@ -153,14 +118,14 @@ void ManualWindow::listHeadings(const Chapter& chapter) {
 
 void ManualWindow::showPage(const QUrl& url) {
   layOutTables();  // Qt has read the page again, since the tables of the one before were edited
-  (void)m_page->document()->size();  // lays out all of it: scroll bars reach its end
+  (void)m_ui->manualPage->document()->size();  // lays out all of it: scroll bars reach its end
   if (url.hasFragment()) scrollTo(url.fragment());
   selectHeading(url);
 }
 
 /// Markdown says nothing about how tables look.
 void ManualWindow::layOutTables() {
-  for (QTextFrame* frame : m_page->document()->rootFrame()->childFrames()) {
+  for (QTextFrame* frame : m_ui->manualPage->document()->rootFrame()->childFrames()) {
     auto* table = qobject_cast<QTextTable*>(frame);
     if (table == nullptr) continue;
     QTextTableFormat format = table->format();
@@ -176,31 +141,31 @@ void ManualWindow::layOutTables() {
 
 /// Qt's Markdown has no anchors at headings.
 void ManualWindow::scrollTo(const QString& anchor) {
-  forHeadings(*m_page->document(), [&](const QTextBlock& block) {
+  forHeadings(*m_ui->manualPage->document(), [&](const QTextBlock& block) {
     if (anchorOf(block.text()) != anchor) return;
-    m_page->setTextCursor(QTextCursor(block));
-    const QRectF place = m_page->document()->documentLayout()->blockBoundingRect(block);
-    m_page->verticalScrollBar()->setValue(int(place.top()));
+    m_ui->manualPage->setTextCursor(QTextCursor(block));
+    const QRectF place = m_ui->manualPage->document()->documentLayout()->blockBoundingRect(block);
+    m_ui->manualPage->verticalScrollBar()->setValue(int(place.top()));
   });
 }
 
 void ManualWindow::selectHeading(const QUrl& url) {
-  const QSignalBlocker quiet(m_contents);
-  for (QTreeWidgetItemIterator item(m_contents); *item != nullptr; ++item)
-    if ((*item)->data(0, Qt::UserRole).toUrl() == url) m_contents->setCurrentItem(*item);
+  const QSignalBlocker quiet(m_ui->manualContents);
+  for (QTreeWidgetItemIterator item(m_ui->manualContents); *item != nullptr; ++item)
+    if ((*item)->data(0, Qt::UserRole).toUrl() == url) m_ui->manualContents->setCurrentItem(*item);
 }
 
 std::size_t ManualWindow::shownChapter() const {
-  const QUrl url = m_page->source().adjusted(QUrl::RemoveFragment);
+  const QUrl url = m_ui->manualPage->source().adjusted(QUrl::RemoveFragment);
   const auto isShown = [&url](const Chapter& chapter) { return chapter.url == url; };
   return std::size_t(std::ranges::find_if(m_chapters, isShown) - m_chapters.begin());
 }
 
 /// Goes on in the next chapters, the first after the last, and in the rest of its own at the end.
 void ManualWindow::find(QTextDocument::FindFlags flags) {
-  const QString words = m_search->text();
-  m_note->clear();
-  if (words.isEmpty() || m_page->find(words, flags)) return;
+  const QString words = m_ui->manualSearch->text();
+  m_ui->manualNote->clear();
+  if (words.isEmpty() || m_ui->manualPage->find(words, flags)) return;
   const std::size_t chapters = m_chapters.size();
   const std::size_t step = flags ? chapters - 1 : 1;
   std::size_t next = shownChapter() % chapters;
@@ -208,14 +173,14 @@ void ManualWindow::find(QTextDocument::FindFlags flags) {
     next = (next + step) % chapters;
     const Chapter& chapter = m_chapters[next];
     if (chapter.text->find(words).isNull()) continue;
-    if (next != shownChapter()) m_page->setSource(chapter.url);
-    QTextCursor cursor = m_page->textCursor();
+    if (next != shownChapter()) m_ui->manualPage->setSource(chapter.url);
+    QTextCursor cursor = m_ui->manualPage->textCursor();
     cursor.movePosition(flags ? QTextCursor::End : QTextCursor::Start);
-    m_page->setTextCursor(cursor);
-    m_page->find(words, flags);
+    m_ui->manualPage->setTextCursor(cursor);
+    m_ui->manualPage->find(words, flags);
     return;
   }
-  m_note->setText(tr("Not found"));
+  m_ui->manualNote->setText(tr("Not found"));
 }
 
 void addHelp(QMenu* menu, QWidget* window) {

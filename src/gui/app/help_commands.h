@@ -7,10 +7,11 @@
 #include <memory>
 #include <vector>
 
-class QLabel;
-class QLineEdit;
 class QMenu;
-class QTreeWidget;
+
+namespace Ui {
+class ManualWindow;
+}
 
 namespace hogelscope {
 
@@ -30,6 +31,7 @@ class ManualWindow : public QWidget {
 
  public:
   explicit ManualWindow(QWidget* parent);
+  ~ManualWindow() override;
 
  private:
   struct Chapter {
@@ -47,12 +49,8 @@ class ManualWindow : public QWidget {
   [[nodiscard]] std::size_t shownChapter() const;
   void find(QTextDocument::FindFlags flags);
 
+  std::unique_ptr<Ui::ManualWindow> m_ui;
   std::vector<Chapter> m_chapters;
-
-  QTreeWidget* m_contents;
-  ManualPage* m_page;
-  QLineEdit* m_search;
-  QLabel* m_note;
 };
 
 /// Fills the Help menu: the manual and the About box, which open over `window`.

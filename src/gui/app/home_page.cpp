@@ -5,7 +5,6 @@
 #include <QAction>
 #include <QCoreApplication>
 #include <QFileInfo>
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QLocale>
 #include <QPainter>
@@ -14,6 +13,7 @@
 
 #include "gui/files/recent_files.h"
 #include "gui/widgets/colours.h"
+#include "ui_home_page.h"
 
 namespace hogelscope {
 
@@ -26,12 +26,6 @@ QString sampleFile(const QString& name) {
                               program + "/../../../data/" + name + ".json"})
     if (QFileInfo::exists(file)) return QFileInfo(file).canonicalFilePath();
   return {};
-}
-
-QLabel* label(const QString& text, TextSize size, QFont::Weight weight = QFont::Normal) {
-  auto* made = new QLabel(text);
-  made->setFont(textFont(size, weight));
-  return made;
 }
 
 /// Paints a picture that fills `area`, cut at its longer side.
@@ -47,16 +41,14 @@ void paintFilling(QPainter& painter, const QRect& area, const QImage& image) {
 /// A picture with a title and a line below it.
 class Card : public QAbstractButton {
  public:
-  Card(const QString& title, QString line, const QString& picture, const QSize& size)
-      : m_line(std::move(line)), m_picture(picture), m_size(size) {
+  Card(const QString& title, QString line, const QString& picture)
+      : m_line(std::move(line)), m_picture(picture) {
     setText(title);
     setAccessibleDescription(m_line);
     setFocusPolicy(Qt::StrongFocus);
     setCursor(Qt::PointingHandCursor);
   }
-  [[nodiscard]] QSize sizeHint() const override {
-    return {scaled(m_size.width()), scaled(m_size.height() + footHeight)};
-  }
+  [[nodiscard]] QSize sizeHint() const override { return {scaled(440), scaled(280 + footHeight)}; }
 
  protected:
   void paintEvent(QPaintEvent*) override {
@@ -71,13 +63,10 @@ class Card : public QAbstractButton {
     paintFilling(painter, rect().adjusted(0, 0, 0, -foot), m_picture);
     painter.setClipping(false);
     const QRect texts(scaled(12), height() - foot, width() - scaled(24), foot);
-    painter.setPen(t.text);
-    painter.setFont(textFont(TextSize::title, QFont::DemiBold));
-    painter.drawText(texts.adjusted(0, scaled(6), 0, 0), Qt::AlignTop, text());
-    painter.setPen(t.text2);
-    painter.setFont(textFont(TextSize::base));
-    painter.drawText(texts.adjusted(0, 0, 0, -scaled(8)), Qt::AlignBottom,
-                     painter.fontMetrics().elidedText(m_line, Qt::ElideRight, texts.width()));
+    writeLine(painter, texts.adjusted(0, scaled(6), 0, 0), Qt::AlignTop, text(),
+              textFont(TextSize::title, QFont::DemiBold), t.text);
+    writeLine(painter, texts.adjusted(0, 0, 0, -scaled(8)), Qt::AlignBottom, m_line,
+              textFont(TextSize::base), t.text2);
     painter.setPen(hasFocus() ? QPen(t.focus, 2) : QPen(t.strongLine, 1));
     painter.drawPath(frame);
   }
@@ -87,7 +76,6 @@ class Card : public QAbstractButton {
 
   QString m_line;
   QImage m_picture;
-  QSize m_size;  ///< of the picture
 };
 
 /// A row of a list: an icon or a picture, a title with a note, and a key or a date at the right.
@@ -125,38 +113,31 @@ class Row : public QAbstractButton {
       paintFilling(painter, place, m_picture);
       left += scaled(68);
     }
-    const int right = paintRight(painter);
-    painter.setPen(t.text);
-    painter.setFont(textFont(TextSize::base, QFont::Medium));
-    const QRect all(left, 0, right - left, height());
-    const QRect titles = m_isKey ? all : all.adjusted(0, scaled(4), 0, 0);
-    const auto side = m_isKey ? Qt::AlignVCenter : Qt::AlignTop;
-    painter.drawText(titles, side,
-                     painter.fontMetrics().elidedText(text(), Qt::ElideMiddle, all.width()));
-    const int end = m_isKey ? painter.fontMetrics().horizontalAdvance(text()) + scaled(12) : 0;
-    painter.setPen(t.text2);
-    painter.setFont(textFont(TextSize::caption));
-    painter.drawText(all.adjusted(end, 0, 0, m_isKey ? 0 : -scaled(6)),
-                     m_isKey ? Qt::AlignVCenter : Qt::AlignBottom,
-                     painter.fontMetrics().elidedText(m_note, Qt::ElideMiddle, all.width() - end));
+    const QRect all(left, 0, paintRight(painter) - left, height());
+    const QRect title = writeLine(painter, m_isKey ? all : all.adjusted(0, scaled(4), 0, 0),
+                                  m_isKey ? Qt::AlignVCenter : Qt::AlignTop, text(),
+                                  textFont(TextSize::base, QFont::Medium), t.text, Qt::ElideMiddle);
+    const QRect notes = m_isKey ? all.adjusted(title.width() + scaled(12), 0, 0, 0)
+                                : all.adjusted(0, 0, 0, -scaled(6));
+    writeLine(painter, notes, m_isKey ? Qt::AlignVCenter : Qt::AlignBottom, m_note,
+              textFont(TextSize::caption), t.text2, Qt::ElideMiddle);
   }
 
  private:
   /// Paints the key in a frame, or the date. Returns where it begins.
   int paintRight(QPainter& painter) const {
     const Tokens& t = tokens();
-    painter.setFont(textFont(TextSize::caption));
-    painter.setPen(t.text3);
-    const int textWidth = painter.fontMetrics().horizontalAdvance(m_right);
-    const QRect place(width() - textWidth - scaled(20), (height() - scaled(20)) / 2,
-                      textWidth + scaled(10), scaled(20));
-    painter.drawText(place, Qt::AlignCenter, m_right);
+    const QRect written =
+        writeLine(painter, rect().adjusted(0, 0, -scaled(15), 0), Qt::AlignVCenter | Qt::AlignRight,
+                  m_right, textFont(TextSize::caption), t.text3);
+    const QRectF frame(written.left() - scaled(5), (height() - scaled(20)) / 2,
+                       written.width() + scaled(10), scaled(20));
     if (m_isKey && !m_right.isEmpty()) {
       painter.setPen(t.strongLine);
       painter.setBrush(Qt::NoBrush);
-      painter.drawRoundedRect(QRectF(place).adjusted(0.5, 0.5, -0.5, -0.5), 4, 4);
+      painter.drawRoundedRect(frame.adjusted(0.5, 0.5, -0.5, -0.5), 4, 4);
     }
-    return place.left() - scaled(8);
+    return int(frame.left()) - scaled(8);
   }
 
   QString m_note;
@@ -169,6 +150,13 @@ QString keyOf(const QAction* action) {
   return action->shortcut().toString(QKeySequence::NativeText);
 }
 
+/// Makes the button trigger a command.
+QAbstractButton* commandButton(const QAction* action, QAbstractButton* button) {
+  button->setToolTip(action->toolTip());
+  QObject::connect(button, &QAbstractButton::clicked, action, &QAction::trigger);
+  return button;
+}
+
 /// Returns a time in short: with the hour today, else the day.
 QString dayOf(const QDateTime& when) {
   const qint64 days = when.date().daysTo(QDate::currentDate());
@@ -178,119 +166,49 @@ QString dayOf(const QDateTime& when) {
 
 }  // namespace
 
-HomePage::HomePage(const QList<QAction*>& begins, QWidget* parent) : QScrollArea(parent) {
-  setObjectName("homePage");
-  auto* page = new QWidget;
-  page->setMaximumWidth(scaled(1000));  // even in a large window
-  auto* layout = new QVBoxLayout(page);
-  layout->setContentsMargins(scaled(24), scaled(24), scaled(24), scaled(12));
-  layout->setSpacing(scaled(16));
-  layout->addStretch(1);
-  layout->addLayout(makeHead());
-  layout->addWidget(label(tr("Start with a sample"), TextSize::base, QFont::DemiBold));
-  layout->addLayout(makeSamples());
-  auto* lists = new QHBoxLayout;
-  lists->setSpacing(scaled(32));
-  lists->addLayout(makeBegins(begins), 1);
-  lists->addLayout(makeRecent(), 1);
-  layout->addLayout(lists);
-  m_links = new QHBoxLayout;
-  layout->addLayout(m_links);
-  layout->addStretch(2);
-  auto* around = new QWidget;
-  around->setObjectName("homeGround");
-  auto* sides = new QHBoxLayout(around);
-  sides->addWidget(page);
-  setWidget(around);
-  setWidgetResizable(true);
-  setFrameShape(QFrame::NoFrame);
-}
-
-QLayout* HomePage::makeHead() {
-  auto* sign = new QLabel;
+HomePage::HomePage(QWidget* parent) : QScrollArea(parent), m_ui(std::make_unique<Ui::HomePage>()) {
+  m_ui->setupUi(this);
+  m_ui->page->setMaximumWidth(scaled(1000));  // even in a large window
   const int side = scaled(44);
-  sign->setPixmap(QIcon(":/icons/io.github.hogelscope.Hogelscope.svg").pixmap(side, side));
-  auto* texts = new QVBoxLayout;
-  texts->setSpacing(0);
-  texts->addWidget(label(tr("Hogelscope"), TextSize::large, QFont::DemiBold));
-  texts->addWidget(
-      label(tr("What an eye sees on a display that does not exist yet"), TextSize::base));
-  auto* head = new QHBoxLayout;
-  head->setSpacing(scaled(16));
-  head->addWidget(sign);
-  head->addLayout(texts, 1);
-  return head;
+  m_ui->sign->setPixmap(QIcon(":/desktop/io.github.hogelscope.Hogelscope.svg").pixmap(side, side));
+  addSample("room", tr("The room"), tr("A live scene on a 0.5 m display: drag the eye"));
+  addSample("table1", tr("Table I"), tr("The paper's display, six cameras"));
 }
 
-QLayout* HomePage::makeSamples() {
-  auto* row = new QHBoxLayout;
-  row->setSpacing(scaled(12));
-  struct Sample {
-    QString name, title, line;
-    QSize size;
+HomePage::~HomePage() = default;
+
+void HomePage::addSample(const QString& name, const QString& title, const QString& line) {
+  const QString file = sampleFile(name);
+  if (file.isEmpty()) return;
+  auto* card = new Card(title, line, ":/home/" + name + ".png");
+  card->setObjectName(name + "Sample");
+  m_ui->samplesLayout->addWidget(fileButton(file, card), 1);
+}
+
+void HomePage::addCommands(const QWidget& window) {
+  struct Begin {
+    const char* command;
+    const char* image;
+    QString note = {};
   };
-  for (const Sample& sample :
-       {Sample{"room",
-               tr("The room"),
-               tr("A live scene on a 0.5 m display: drag the eye"),
-               {440, 280}},
-        Sample{"table1", tr("Table I"), tr("The paper's display, six cameras"), {440, 280}}}) {
-    const QString file = sampleFile(sample.name);
-    if (file.isEmpty()) continue;
-    auto* card = new Card(sample.title, sample.line, ":/home/" + sample.name + ".png", sample.size);
-    card->setObjectName(sample.name + "Sample");
-    row->addWidget(fileButton(file, card), sample.size.width());
-  }
-  return row;
-}
-
-QLayout* HomePage::makeBegins(const QList<QAction*>& begins) {
-  auto* layout = new QVBoxLayout;
-  layout->setSpacing(scaled(2));
-  layout->addWidget(label(tr("Open"), TextSize::base, QFont::DemiBold));
-  const QHash<QString, QPair<const char*, QString>> looks{
-      {"openLightFieldAction", {"picture", tr("hogels, quilt, lenslets, mesh")}},
-      {"openFolderAction", {"folder", tr("sub-aperture pictures")}},
-      {"openAction", {"open", {}}},
-      {"newAction", {"new", tr("a display around a test scene")}}};
-  for (QAction* action : begins) {
-    const auto& [image, note] = looks[action->objectName()];
-    auto* row = new Row(action->text().remove('&'), note, keyOf(action), true);
-    row->setIcon(icon(image));
+  for (const Begin& begin :
+       {Begin{"openLightFieldAction", "picture", tr("hogels, quilt, lenslets, mesh")},
+        Begin{"openFolderAction", "folder", tr("sub-aperture pictures")},
+        Begin{"openAction", "open"},
+        Begin{"newAction", "new", tr("a display around a test scene")}}) {
+    const auto* action = window.findChild<QAction*>(begin.command);
+    auto* row = new Row(action->text().remove('&'), begin.note, keyOf(action), true);
+    row->setIcon(icon(begin.image));
     row->setObjectName(action->objectName() + "Button");
-    row->setToolTip(action->toolTip());
-    connect(row, &QAbstractButton::clicked, action, &QAction::trigger);
-    layout->addWidget(row);
+    m_ui->rowsLayout->addWidget(commandButton(action, row));
   }
-  auto* drop = label(tr("or drop any of these anywhere"), TextSize::base);
-  drop->setObjectName("dropHint");
-  drop->setAlignment(Qt::AlignCenter);
-  drop->setFixedHeight(scaled(36));
-  layout->addWidget(drop);
-  layout->addStretch();
-  return layout;
-}
-
-QLayout* HomePage::makeRecent() {
-  auto* layout = new QVBoxLayout;
-  layout->setSpacing(scaled(2));
-  layout->addWidget(label(tr("Recent"), TextSize::base, QFont::DemiBold));
-  m_recent = new QVBoxLayout;
-  m_recent->setSpacing(0);
-  layout->addLayout(m_recent);
-  layout->addStretch();
-  return layout;
-}
-
-void HomePage::addLinks(const QList<QAction*>& actions) {
-  for (QAction* action : actions) {
+  for (const char* command : {"manualAction", "keysAction", "darkColours", "lightColours"}) {
+    const auto* action = window.findChild<QAction*>(command);
     auto* button = new QToolButton;
     button->setText(action->text().remove('&') + "  " + keyOf(action));
-    button->setToolTip(action->toolTip());
-    connect(button, &QToolButton::clicked, action, &QAction::trigger);
-    m_links->addWidget(button);
+    m_ui->linksLayout->addWidget(commandButton(action, button));
   }
-  m_links->addStretch();
+  m_ui->linksLayout->addStretch();
 }
 
 QWidget* HomePage::fileButton(const QString& file, QAbstractButton* button) {
@@ -306,21 +224,21 @@ void HomePage::showEvent(QShowEvent* event) {
 }
 
 void HomePage::fillRecent() {
-  while (QLayoutItem* item = m_recent->takeAt(0)) {
+  while (QLayoutItem* item = m_ui->recentLayout->takeAt(0)) {
     delete item->widget();
     delete item;
   }
   constexpr int most = 4;  // the menu lists all of them
   for (const RecentFile& recent : RecentFiles::list()) {
-    if (m_recent->count() == most) break;
+    if (m_ui->recentLayout->count() == most) break;
     const QFileInfo info(recent.file);
     const QString note = recent.what.isEmpty() ? info.path() : recent.what + " · " + info.path();
     auto* row = new Row(info.fileName(), note, dayOf(recent.when), false);
     row->setPicture(recent.thumbnail);
     row->setObjectName("recentSession");
-    m_recent->addWidget(fileButton(recent.file, row));
+    m_ui->recentLayout->addWidget(fileButton(recent.file, row));
   }
-  if (m_recent->count() == 0) m_recent->addWidget(label(tr("None yet"), TextSize::base));
+  if (m_ui->recentLayout->count() == 0) m_ui->recentLayout->addWidget(new QLabel(tr("None yet")));
 }
 
 }  // namespace hogelscope

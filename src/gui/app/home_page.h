@@ -4,11 +4,13 @@
 #pragma once
 
 #include <QScrollArea>
+#include <memory>
 
 class QAbstractButton;
-class QAction;
-class QHBoxLayout;
-class QVBoxLayout;
+
+namespace Ui {
+class HomePage;
+}
 
 namespace hogelscope {
 
@@ -16,11 +18,11 @@ class HomePage : public QScrollArea {
   Q_OBJECT
 
  public:
-  /// Creates rows that trigger the commands that begin a session.
-  explicit HomePage(const QList<QAction*>& begins, QWidget* parent = nullptr);
+  explicit HomePage(QWidget* parent = nullptr);
+  ~HomePage() override;
 
-  /// Adds links to commands below the page.
-  void addLinks(const QList<QAction*>& actions);
+  /// Adds rows and links for commands of a window, once it has all of them and their keys.
+  void addCommands(const QWidget& window);
 
  Q_SIGNALS:
   /// A sample or a recent file has been chosen.
@@ -30,15 +32,11 @@ class HomePage : public QScrollArea {
   void showEvent(QShowEvent* event) override;
 
  private:
-  QLayout* makeHead();
-  QLayout* makeSamples();
-  QLayout* makeBegins(const QList<QAction*>& begins);
-  QLayout* makeRecent();
+  void addSample(const QString& name, const QString& title, const QString& line);
   void fillRecent();
   QWidget* fileButton(const QString& file, QAbstractButton* button);
 
-  QVBoxLayout* m_recent = nullptr;
-  QHBoxLayout* m_links = nullptr;
+  std::unique_ptr<Ui::HomePage> m_ui;
 };
 
 }  // namespace hogelscope

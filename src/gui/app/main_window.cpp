@@ -52,7 +52,7 @@ MainWindow::MainWindow(QWidget* parent)
   m_ui->setupUi(this);
   m_messages = new Messages(this);
   m_files = new FileCommands(m_ui->fileMenu, m_model, this);
-  m_home = new HomePage(m_files->begins());
+  m_home = new HomePage;
   m_ui->centralLayout->addWidget(m_home);
   m_scene =
       new SceneController(m_ui->sceneMenu, m_ui->sceneWidget, m_ui->sceneReadout, m_model, this);
@@ -71,8 +71,7 @@ MainWindow::MainWindow(QWidget* parent)
   connectLoader();
   addHelpers();
   addEditing();
-  m_home->addLinks({findChild<QAction*>("manualAction"), findChild<QAction*>("keysAction"),
-                    findChild<QAction*>("darkColours"), findChild<QAction*>("lightColours")});
+  m_home->addCommands(*this);
   fillToolBar();
   addTopBar();
   showTitle();
@@ -346,8 +345,7 @@ void MainWindow::addHelpers() {
                        {m_home, m_ui->pictureArea, m_ui->sceneDock, m_ui->statesDock,
                         m_ui->propertiesDock, m_ui->tradeoffDock, m_ui->reportDock, m_properties},
                        {m_ui->pictureView, m_ui->sceneWidget});
-  new Colours(m_ui->viewMenu->addMenu(tr("&Colours")), m_ui->viewMenu->addMenu(tr("&Text size")),
-              this);
+  addLook(m_ui->viewMenu->addMenu(tr("&Colours")), m_ui->viewMenu->addMenu(tr("&Text size")));
   m_readingBar = new ReadingBar(
       tr("Light field"), [this] { return m_worker->readShare(); }, this);
   m_readingBar->setObjectName("readingBar");

@@ -10,17 +10,13 @@
 #include <QTime>
 #include <QToolButton>
 
+#include "gui/widgets/colours.h"
+
 namespace hogelscope {
 
 namespace {
 
 constexpr int mostErrors = 200;
-
-/// Returns a colour with a contrast of at least 5:1 against windows of either scheme.
-QColor errorColour(const QPalette& palette) {
-  const bool isDark = palette.color(QPalette::Window).lightness() < 128;
-  return isDark ? QColor(255, 138, 128) : QColor(176, 0, 32);
-}
 
 /// A list that is six lines high by default.
 class ErrorList : public QPlainTextEdit {
@@ -91,7 +87,7 @@ void Messages::settle() {
 
 void Messages::show() {
   QPalette palette;
-  if (!m_error.isEmpty()) palette.setColor(QPalette::WindowText, errorColour(m_window->palette()));
+  if (!m_error.isEmpty()) palette.setColor(QPalette::WindowText, tokens().error);
   m_window->statusBar()->setPalette(palette);
   m_window->statusBar()->showMessage(m_error.isEmpty() ? m_line : tr("Error: %1").arg(m_error));
 }

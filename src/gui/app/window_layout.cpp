@@ -63,8 +63,6 @@ WindowLayout::WindowLayout(QMainWindow* window, QMenu* menu, const Parts& parts,
 void WindowLayout::placeDocks() {
   m_window->setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
   m_window->setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
-  m_window->setDockOptions(QMainWindow::AnimatedDocks | QMainWindow::AllowNestedDocks |
-                           QMainWindow::AllowTabbedDocks);
   m_window->splitDockWidget(m_parts.scene, m_parts.states, Qt::Vertical);
   // They have no title: the scene has no room to lose, and the list of states has a heading.
   for (QDockWidget* dock : {m_parts.scene, m_parts.states}) dock->setTitleBarWidget(new QWidget);
@@ -84,39 +82,34 @@ void WindowLayout::addCommands(QMenu* menu) {
                   Qt::SHIFT | Qt::Key_F11},
                  this, [this] { showOnly(m_onlyScene, false); });
   for (QAction* action : {m_onlyView, m_onlyScene}) action->setCheckable(true);
-  auto* layouts = menu->addMenu(tr("&Workspace"));
-  const auto key = [](int digit) { return Qt::CTRL | Qt::ALT | Qt::Key(Qt::Key_0 + digit); };
-  addWorkspace(
-      layouts,
-      {"layoutViewAction", tr("&View"), tr("Scene, states, simulated view, properties"), key(1)},
-      {m_parts.scene, m_parts.states, m_parts.properties}, true);
-  addWorkspace(layouts,
-               {"layoutCompareAction", tr("&Compare"),
-                tr("The simulated view, large, and the states"), key(2)},
-               {m_parts.states}, true);
-  addWorkspace(layouts,
-               {"layoutMeasureAction", tr("&Speed"),
-                tr("Time and error of the methods beside the simulated view"), key(4)},
-               {m_parts.tradeoff}, true);
-  addWorkspace(
-      layouts,
-      {"layoutReportAction", tr("&Report"), tr("The report's tables and plots alone"), key(5)},
+  addWorkspaces(menu->addMenu(tr("&Workspace")));
+}
+
+void WindowLayout::addWorkspaces(QMenu* menu) {
+  const auto add = [&](const char* name, const QString& title, const QString& help, int digit,
+                       const QList<QDockWidget*>& docks, bool hasView = true) {
+    const QKeyCombination key = Qt::CTRL | Qt::ALT | Qt::Key(Qt::Key_0 + digit);
+    const std::size_t index = m_workspaces.size();
+    QAction* action = addCommand(menu, {name, title, help, key}, this,
+                                 [this, index] { arrange(m_workspaces[index]); });
+    action->setCheckable(true);
+    m_group->addAction(action);
+    m_workspaces.push_back({action, docks, hasView});
+  };
+  add("layoutViewAction", tr("&View"), tr("Scene, states, simulated view, properties"), 1,
+      {m_parts.scene, m_parts.states, m_parts.properties});
+  add("layoutCompareAction", tr("&Compare"), tr("The simulated view, large, and the states"), 2,
+      {m_parts.states});
+  add("layoutMeasureAction", tr("&Speed"),
+      tr("Time and error of the methods beside the simulated view"), 4, {m_parts.tradeoff});
+  add("layoutReportAction", tr("&Report"), tr("The report's tables and plots alone"), 5,
       {m_parts.report}, false);
-  layouts->addSeparator();
-  addCommand(layouts,
+  menu->addSeparator();
+  addCommand(menu,
              {"resetLayoutAction", tr("R&eset layout"),
               tr("Puts docks and tool bar back where they were at first"),
               Qt::CTRL | Qt::SHIFT | Qt::Key_R},
              this, &WindowLayout::reset);
-}
-
-void WindowLayout::addWorkspace(QMenu* menu, const CommandText& text,
-                                const QList<QDockWidget*>& docks, bool hasView) {
-  const std::size_t index = m_workspaces.size();
-  QAction* action = addCommand(menu, text, this, [this, index] { arrange(m_workspaces[index]); });
-  action->setCheckable(true);
-  m_group->addAction(action);
-  m_workspaces.push_back({action, docks, hasView});
 }
 
 /// Adds the docks' own commands. Qt's would close a dock that another one covers.

@@ -20,7 +20,6 @@ namespace hogelscope {
 
 class Properties;
 class Section;
-struct CommandText;
 
 /// Returns the window's frame, shrunk and moved only as far as needed to fit the screen.
 QRect fitted(QRect frame, const QRect& screen);
@@ -63,8 +62,7 @@ class WindowLayout : public QObject {
 
   void placeDocks();
   void addCommands(QMenu* menu);
-  void addWorkspace(QMenu* menu, const CommandText& text, const QList<QDockWidget*>& docks,
-                    bool hasView);
+  void addWorkspaces(QMenu* menu);
   void addDockCommands(QMenu* menu);
   void arrange(const Workspace& workspace);
   void resize(const Workspace& workspace);

@@ -277,16 +277,21 @@ void StateTable::fill(const ReportData& data, std::size_t test, std::size_t stat
 }
 
 void StateFilter::setText(const QString& text) {
-  QStringList columns;
+  std::vector<std::string> columns;
   for (int k = 1; k < sourceModel()->columnCount(); ++k)
-    columns << sourceModel()->headerData(k, Qt::Horizontal).toString().section(',', 0, 0);
-  m_filter = RowFilter(text, columns);
+    columns.push_back(sourceModel()
+                          ->headerData(k, Qt::Horizontal)
+                          .toString()
+                          .section(',', 0, 0)
+                          .toLower()
+                          .toStdString());
+  m_filter = RowFilter(text.toLower().toStdString(), columns);
   invalidateFilter();
 }
 
 bool StateFilter::filterAcceptsRow(int row, const QModelIndex& parent) const {
   const auto at = [&](int column) { return sourceModel()->index(row, column, parent); };
-  return m_filter.accepts(at(0).data().toString(), [&](std::size_t k) {
+  return m_filter.accepts(at(0).data().toString().toLower().toStdString(), [&](std::size_t k) {
     const double value = at(int(k) + 1).data(ReportRole::sortRole).toDouble();
     return std::isinf(value) && value < 0 ? unknown : value;
   });

@@ -8,8 +8,8 @@
 #include <QTableView>
 #include <vector>
 
+#include "core/base/row_filter.h"
 #include "core/metrics/panel_error_figures.h"
-#include "gui/widgets/row_filter.h"
 #include "report/page/window_plots.h"
 #include "report/report_request.h"
 

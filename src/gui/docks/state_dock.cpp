@@ -20,12 +20,12 @@
 #include <map>
 
 #include "core/base/colour_map.h"
+#include "core/base/row_filter.h"
 #include "core/optics/scene_eyes.h"
 #include "gui/scene/scene_controller.h"
 #include "gui/session/session_model.h"
 #include "gui/session/state_commands.h"
 #include "gui/widgets/colours.h"
-#include "gui/widgets/row_filter.h"
 #include "io/documents/session_file.h"
 
 namespace hogelscope {
@@ -152,13 +152,13 @@ class StateListFilter : public QSortFilterProxyModel {
   }
 
   void setText(const QString& text) {
-    m_filter = RowFilter(text, {"PSNR", "σ", "lens", "distance", "angle"});
+    m_filter = RowFilter(text.toLower().toStdString(), {"psnr", "σ", "lens", "distance", "angle"});
     invalidateFilter();
   }
 
  private:
   [[nodiscard]] bool filterAcceptsRow(int row, const QModelIndex&) const override {
-    return m_filter.accepts(m_rows->index(row).data().toString(),
+    return m_filter.accepts(m_rows->index(row).data().toString().toLower().toStdString(),
                             [&](std::size_t k) { return m_rows->numbersOf(std::size_t(row))[k]; });
   }
 

@@ -24,22 +24,10 @@
 #include "io/documents/session_file.h"
 #include "io/opening/opening.h"
 #include "io/scene/live_file.h"
-#include "io/scene/view_source.h"
 
 namespace hogelscope {
 
 namespace {
-
-bool canCompare(const Session& session, const std::string& file, const Progress& progress) {
-  try {
-    const Session other = withLightField(session, file);
-    const auto lightField = openLightField(other.lightField, other.display, progress);
-    (void)resolved(displayOf(other), lightField->size());
-    return true;
-  } catch (const InputError&) {
-    return false;
-  }
-}
 
 /// Returns what a session is made around, in words for the list of recent files.
 QString whatIs(const Session& session) {
@@ -81,9 +69,7 @@ FileCommands::FileCommands(QMenu* menu, SessionModel* model, QWidget* window)
       m_autosave(new Autosave(model, this)),
       m_watch(new FileWatch(this)) {
   addCommands(menu);
-  connect(m_recent, &RecentFiles::chosen, this, [this](const QString& file) {
-    if (mayLeave()) open(file);
-  });
+  connect(m_recent, &RecentFiles::chosen, this, &FileCommands::openChosen);
   connect(m_autosave, &Autosave::failed, this, &FileCommands::failed);
   for (const Task* task : {m_task, m_compared})
     connect(task, &Task::failed, this, &FileCommands::failed);
@@ -99,66 +85,55 @@ FileCommands::FileCommands(QMenu* menu, SessionModel* model, QWidget* window)
 }
 
 void FileCommands::addCommands(QMenu* menu) {
-  m_new = addCommand(menu,
-                     {"newAction", tr("&New session"),
-                      tr("A display that shows the built-in test scene, to be changed"),
-                      Qt::CTRL | Qt::ALT | Qt::Key_N},
-                     this, [this] {
-                       if (mayLeave()) m_model->openNew(newSession());
-                     });
-  m_open = addCommand(menu,
-                      {"openAction", tr("&Open session…"),
-                       tr("Opens a session: display, light field and camera states"),
-                       Qt::CTRL | Qt::Key_O, tr("Open")},
-                      this, &FileCommands::askOpen);
+  const auto add = [this, menu](const CommandText& text, auto slot) {
+    return addCommand(menu, text, this, slot);
+  };
+  add({"newAction", tr("&New session"),
+       tr("A display that shows the built-in test scene, to be changed"),
+       Qt::CTRL | Qt::ALT | Qt::Key_N},
+      [this] {
+        if (mayLeave()) m_model->openNew(newSession());
+      });
+  add({"openAction", tr("&Open session…"),
+       tr("Opens a session: display, light field and camera states"), Qt::CTRL | Qt::Key_O,
+       tr("Open")},
+      [this] { openChosen(chooseFile(m_window, tr("Open session"), sessionFilter())); });
   auto* recent = menu->addMenu(tr("Open &recent"));
   recent->setObjectName("recentMenu");
   m_recent = new RecentFiles(recent, this);
-  m_openLightField =
-      addCommand(menu,
-                 {"openLightFieldAction", tr("Open &light field…"),
-                  tr("Makes a new session around a picture: hogels, or tiles of views"),
-                  Qt::CTRL | Qt::ALT | Qt::Key_O},
-                 this, [this] { askLightField(false); });
-  m_openFolder = addCommand(menu,
-                            {"openFolderAction", tr("Open &folder of views…"),
-                             tr("Makes a new session around a folder of sub-aperture pictures"),
-                             Qt::CTRL | Qt::ALT | Qt::Key_F},
-                            this, &FileCommands::askFolder);
-  addCommand(menu,
-             {"openLightFieldAsAction", tr("Open light field as…"),
-              tr("Shows what is assumed of a picture, or of the folder of views that it is in, "
-                 "before it opens"),
-              Qt::CTRL | Qt::ALT | Qt::SHIFT | Qt::Key_O},
-             this, [this] { askLightField(true); });
-  m_save = addCommand(menu,
-                      {"saveAction", tr("&Save session"),
-                       tr("Saves the session with all camera states as they are now"),
-                       Qt::CTRL | Qt::Key_S, tr("Save")},
-                      this, &FileCommands::saveOrAsk);
-  m_saveAs = addCommand(menu,
-                        {"saveAsAction", tr("Save session &as…"),
-                         tr("Saves the session to another file"), Qt::CTRL | Qt::SHIFT | Qt::Key_S},
-                        this, &FileCommands::askSaveAs);
-  m_locate = addCommand(menu,
-                        {"locateFileAction", tr("Lo&cate file…"),
-                         tr("Says where the session's light field is, if its file is missing"),
-                         Qt::CTRL | Qt::ALT | Qt::Key_J},
-                        this, &FileCommands::askLightFieldsPlace);
+  add({"openLightFieldAction", tr("Open &light field…"),
+       tr("Makes a new session around a picture: hogels, or tiles of views"),
+       Qt::CTRL | Qt::ALT | Qt::Key_O},
+      [this] { askLightField(false); });
+  add({"openFolderAction", tr("Open &folder of views…"),
+       tr("Makes a new session around a folder of sub-aperture pictures"),
+       Qt::CTRL | Qt::ALT | Qt::Key_F},
+      [this] { openChosen(chooseFolder(m_window, tr("Open folder of views"))); });
+  add({"openLightFieldAsAction", tr("Open light field as…"),
+       tr("Shows what is assumed of a picture, or of the folder of views that it is in, before it "
+          "opens"),
+       Qt::CTRL | Qt::ALT | Qt::SHIFT | Qt::Key_O},
+      [this] { askLightField(true); });
+  m_save = add({"saveAction", tr("&Save session"),
+                tr("Saves the session with all camera states as they are now"),
+                Qt::CTRL | Qt::Key_S, tr("Save")},
+               &FileCommands::saveOrAsk);
+  m_saveAs = add({"saveAsAction", tr("Save session &as…"), tr("Saves the session to another file"),
+                  Qt::CTRL | Qt::SHIFT | Qt::Key_S},
+                 &FileCommands::askSaveAs);
+  m_locate = add({"locateFileAction", tr("Lo&cate file…"),
+                  tr("Says where the session's light field is, if its file is missing"),
+                  Qt::CTRL | Qt::ALT | Qt::Key_J},
+                 &FileCommands::askLightFieldsPlace);
   menu->addSeparator();
-  m_import = addCommand(menu,
-                        {"importAction", tr("&Import OpenCV calibration…"),
-                         tr("Gives the current state the lens, the intrinsics and the picture size "
-                            "of an OpenCV calibration file"),
-                         Qt::CTRL | Qt::Key_I},
-                        this, &FileCommands::askImport);
+  m_import = add({"importAction", tr("&Import OpenCV calibration…"),
+                  tr("Gives the current state the lens, the intrinsics and the picture size of an "
+                     "OpenCV calibration file"),
+                  Qt::CTRL | Qt::Key_I},
+                 &FileCommands::askImport);
   menu->addSeparator();
   addCommand(menu, {"quitAction", tr("&Quit"), tr("Closes the window"), Qt::CTRL | Qt::Key_Q},
              m_window, &QWidget::close);
-}
-
-QList<QAction*> FileCommands::begins() const {
-  return {m_openLightField, m_openFolder, m_open, m_new};
 }
 
 void FileCommands::setOpen(bool isOpen) {
@@ -191,7 +166,6 @@ bool FileCommands::open(const QString& file) {
     m_model->open(file);
     rememberSession(file);
     checkOrder(file);
-    rememberFolderOf(file);
   });
 }
 
@@ -229,7 +203,6 @@ void FileCommands::take(const QString& file, const Opening& opening) {
   const OrderedSession& around = opening.around;
   m_model->openNew(around.session);
   remember(file, whatIs(shownOf(opening)));
-  rememberFolderOf(file);
   const LightFieldParams& used = around.session.lightField;
   if (!around.assumed.empty()) Q_EMIT done(file + ": " + QString::fromStdString(around.assumed));
   if (isGridOfViews(used.layout))
@@ -257,6 +230,7 @@ void FileCommands::checkOrder(const QString& file) {
 
 void FileCommands::remember(const QString& file, const QString& what) {
   RecentFiles::add(file, what);
+  rememberFolderOf(file);
   m_unpictured = file;
 }
 
@@ -272,7 +246,6 @@ bool FileCommands::save(const QString& file) {
   return guarded(this, [&] {
     m_model->save(file);
     rememberSession(file);
-    rememberFolderOf(file);
     Q_EMIT done(tr("Saved %1").arg(file));
   });
 }
@@ -357,8 +330,8 @@ bool FileCommands::mayLeave() {
   if (!m_model->isModified()) return true;
   const QString name =
       m_model->file().isEmpty() ? tr("The session") : QFileInfo(m_model->file()).fileName();
-  const Unsaved answer = askUnsaved(m_window, name);
-  return answer == Unsaved::save ? saveOrAsk() : answer == Unsaved::discard;
+  const QMessageBox::StandardButton answer = askUnsaved(m_window, name);
+  return answer == QMessageBox::Save ? saveOrAsk() : answer == QMessageBox::Discard;
 }
 
 void FileCommands::end() {
@@ -379,19 +352,14 @@ bool FileCommands::askSaveAs() {
   return !file.isEmpty() && save(file);
 }
 
-void FileCommands::askOpen() {
-  const QString file = chooseFile(m_window, tr("Open session"), sessionFilter());
+/// Opens what the user has chosen, if anything.
+void FileCommands::openChosen(const QString& file) {
   if (!file.isEmpty() && mayLeave()) open(file);
 }
 
 void FileCommands::askLightField(bool isAsked) {
   const QString file = chooseFile(m_window, tr("Open light field"), lightFieldFilter());
   if (!file.isEmpty() && mayLeave()) isAsked ? openLater(file, true) : void(open(file));
-}
-
-void FileCommands::askFolder() {
-  const QString folder = chooseFolder(m_window, tr("Open folder of views"));
-  if (!folder.isEmpty() && mayLeave()) open(folder);
 }
 
 void FileCommands::askImport() {

@@ -3,7 +3,6 @@
 // line; asks before edits are lost, and keeps them through a crash.
 #pragma once
 
-#include <QList>
 #include <QObject>
 #include <QPointer>
 #include <QStringList>
@@ -30,8 +29,6 @@ class FileCommands : public QObject {
   /// Fills the menu and takes files dropped onto `window`, which owns it.
   FileCommands(QMenu* menu, SessionModel* model, QWidget* window);
 
-  /// Returns the commands that begin a session.
-  [[nodiscard]] QList<QAction*> begins() const;
   /// Enables the commands that need a session.
   void setOpen(bool isOpen);
   [[nodiscard]] QAction* importAction() const { return m_import; }
@@ -79,9 +76,8 @@ class FileCommands : public QObject {
   void openAny(const QString& file, bool isFirst);
   bool saveOrAsk();
   bool askSaveAs();
-  void askOpen();
+  void openChosen(const QString& file);
   void askLightField(bool isAsked);
-  void askFolder();
   void askImport();
   void askLightFieldsPlace();
   void watchFiles();
@@ -91,9 +87,7 @@ class FileCommands : public QObject {
   QWidget* m_window;
   RecentFiles* m_recent = nullptr;
   QString m_unpictured;  ///< a recent file whose first view has not been rendered yet
-  QAction *m_new = nullptr, *m_open = nullptr, *m_openLightField = nullptr, *m_openFolder = nullptr;
-  QAction *m_save = nullptr, *m_saveAs = nullptr, *m_import = nullptr;
-  QAction* m_locate = nullptr;
+  QAction *m_save = nullptr, *m_saveAs = nullptr, *m_import = nullptr, *m_locate = nullptr;
   Task* m_task;      ///< analyses a light field that is being opened
   Task* m_compared;  ///< checks whether a light field can be compared
   QPointer<OpeningDialog> m_dialog;

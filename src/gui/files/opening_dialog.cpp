@@ -11,7 +11,6 @@
 #include "gui/widgets/colours.h"
 #include "gui/widgets/task.h"
 #include "io/documents/light_field_params.h"
-#include "io/scene/view_source.h"
 #include "picture/conversions.h"
 #include "ui_opening_dialog.h"
 
@@ -66,15 +65,6 @@ QString reasonsOf(const Opening& opening) {
   return "<table>" + rows + "</table>";
 }
 
-/// Whether such a file or folder can have a layout. A picture may be one of the views in its
-/// folder.
-bool mayHave(Layout layout, const std::string& file, Layout own) {
-  if (layout == own) return true;
-  const Holder holder = typeOf(layout).holder;
-  return holderOf(file) == Holder::picture &&
-         (holder == Holder::picture || holder == Holder::views);
-}
-
 }  // namespace
 
 OpeningDialog::OpeningDialog(const QString& file, const Opening& opening, QWidget* window)
@@ -86,8 +76,6 @@ OpeningDialog::OpeningDialog(const QString& file, const Opening& opening, QWidge
   m_ui->setupUi(this);
   setWindowTitle(tr("Open %1").arg(QFileInfo(file).fileName()));
   m_ui->previewView->setTitles({}, {});
-  m_ui->headlineLabel->setFont(textFont(TextSize::title, QFont::DemiBold));
-  m_ui->previewCaption->setFont(textFont(TextSize::caption));
   addForms();
   connect(m_task, &Task::stopped, this, &OpeningDialog::takeNext);
   connect(m_task, &Task::failed, this, [this](const QString& line) {

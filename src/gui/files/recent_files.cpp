@@ -22,8 +22,9 @@ QDir pictureFolder() {
   return {QStandardPaths::writableLocation(QStandardPaths::CacheLocation) + "/recent"};
 }
 
-QString pictureName(const QString& file) {
-  return QCryptographicHash::hash(file.toUtf8(), QCryptographicHash::Sha1).toHex() + ".png";
+QString pictureOf(const QString& file) {
+  const QByteArray name = QCryptographicHash::hash(file.toUtf8(), QCryptographicHash::Sha1).toHex();
+  return pictureFolder().filePath(name + ".png");
 }
 
 /// Returns all files, also missing ones, which may be on a disk that is not connected.
@@ -32,8 +33,8 @@ std::vector<RecentFile> readList() {
   for (const QVariant& entry : QSettings().value(recentKey).toList()) {
     const QVariantList values = entry.toList();
     const QString file = values.value(0).toString();
-    files.push_back({file, values.value(1).toString(), values.value(2).toDateTime(),
-                     pictureFolder().filePath(pictureName(file))});
+    files.push_back(
+        {file, values.value(1).toString(), values.value(2).toDateTime(), pictureOf(file)});
   }
   return files;
 }
@@ -69,8 +70,7 @@ void RecentFiles::add(const QString& file, const QString& what) {
   const QString path = QFileInfo(file).absoluteFilePath();
   std::vector<RecentFile> files = readList();
   std::erase_if(files, [&](const RecentFile& recent) { return recent.file == path; });
-  files.insert(files.begin(), {path, what, QDateTime::currentDateTime(),
-                               pictureFolder().filePath(pictureName(path))});
+  files.insert(files.begin(), {path, what, QDateTime::currentDateTime(), pictureOf(path)});
   files.resize(std::min(files.size(), mostFiles));
   writeList(files);
   trimPictures(files);

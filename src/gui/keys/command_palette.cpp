@@ -4,22 +4,21 @@
 #include <QAction>
 #include <QDockWidget>
 #include <QKeyEvent>
-#include <QLineEdit>
-#include <QListWidget>
 #include <QMainWindow>
 #include <QPainter>
 #include <QScrollArea>
 #include <QSettings>
 #include <QStyledItemDelegate>
 #include <QToolButton>
-#include <QVBoxLayout>
 #include <algorithm>
 #include <tuple>
 
+#include "core/base/word_fit.h"
 #include "gui/keys/key_map.h"
 #include "gui/widgets/colours.h"
 #include "gui/widgets/parameter_form.h"
 #include "gui/widgets/section.h"
+#include "ui_command_palette.h"
 
 namespace hogelscope {
 
@@ -49,49 +48,23 @@ class EntryDelegate : public QStyledItemDelegate {
     painter->save();
     if (isSelected) painter->fillRect(option.rect, t.selection);
     QRect place = option.rect.adjusted(scaled(12), 0, -scaled(12), 0);
-    const auto write = [&](const QString& text, TextSize size, const QColor& ink, bool isRight) {
-      painter->setFont(textFont(size));
-      painter->setPen(ink);
-      const QString shown = painter->fontMetrics().elidedText(text, Qt::ElideRight,
-                                                              place.width() / (isRight ? 2 : 1));
-      QRect used;
-      painter->drawText(place, Qt::AlignVCenter | (isRight ? Qt::AlignRight : Qt::AlignLeft), shown,
-                        &used);
-      if (isRight)
-        place.setRight(used.left() - scaled(12));
-      else
-        place.setLeft(used.right() + scaled(8));
-      return used;
-    };
     const QString right = index.data(rightRole).toString();
     const bool isKey = !path.isEmpty() && !right.isEmpty();
     if (isKey) place.adjust(0, 0, -scaled(5), 0);
-    const QRect key = write(right, isKey ? TextSize::caption : TextSize::base, faint, true);
+    const QRect key = writeLine(*painter, place.adjusted(place.width() / 2, 0, 0, 0),
+                                Qt::AlignVCenter | Qt::AlignRight, right,
+                                textFont(isKey ? TextSize::caption : TextSize::base), faint);
     painter->setPen(t.strongLine);
     if (isKey) painter->drawRoundedRect(key.adjusted(-scaled(5), -1, scaled(5), 1), 3, 3);
-    write(index.data().toString(), TextSize::base,
-          option.state.testFlag(QStyle::State_Enabled) ? t.text : faint, false);
-    write(path, TextSize::caption, faint, false);
+    place.setRight(key.left() - scaled(12));
+    const QRect title = writeLine(*painter, place, Qt::AlignVCenter, index.data().toString(),
+                                  textFont(TextSize::base),
+                                  option.state.testFlag(QStyle::State_Enabled) ? t.text : faint);
+    place.setLeft(title.right() + scaled(8));
+    writeLine(*painter, place, Qt::AlignVCenter, path, textFont(TextSize::caption), faint);
     painter->restore();
   }
 };
-
-/// Returns how well a word fits; 0: not at all.
-int fitOf(const QString& word, const QString& title, const QString& path) {
-  const auto fits = [&](const QString& in) { return in.contains(word, Qt::CaseInsensitive); };
-  const auto begins = [&](const QString& in) {
-    return (' ' + in).contains(' ' + word, Qt::CaseInsensitive);
-  };
-  if (title.startsWith(word, Qt::CaseInsensitive)) return 8;
-  if (begins(title)) return 6;
-  if (begins(path)) return 4;
-  if (fits(title)) return 3;
-  if (word.size() < 3) return 0;  // a few letters are in most texts
-  qsizetype at = 0;
-  for (const QChar letter : word)
-    if ((at = title.indexOf(letter, at, Qt::CaseInsensitive) + 1) == 0) return 0;
-  return 1;
-}
 
 /// Shows the field and moves the focus into it.
 void goTo(QWidget* editor) {
@@ -116,30 +89,17 @@ void goTo(QWidget* editor) {
 }  // namespace
 
 CommandPalette::CommandPalette(KeyMap* map, QMainWindow* window)
-    : QFrame(window),
-      m_map(map),
-      m_window(window),
-      m_search(new QLineEdit),
-      m_list(new QListWidget) {
-  setObjectName("commandPalette");
-  m_search->setObjectName("paletteSearch");
-  m_search->setPlaceholderText(tr("Commands and fields"));
-  m_search->setToolTip(tr("Beginnings of words, such as \"sc fr\"; Return does what is marked"));
-  m_search->addAction(icon("find"), QLineEdit::LeadingPosition);
-  m_search->installEventFilter(this);
-  m_list->setObjectName("paletteList");
-  m_list->setFocusPolicy(Qt::NoFocus);
-  m_list->setUniformItemSizes(true);
-  m_list->setItemDelegate(new EntryDelegate(m_list));
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(1, 1, 1, 1);
-  layout->setSpacing(0);
-  layout->addWidget(m_search);
-  layout->addWidget(m_list);
-  connect(m_search, &QLineEdit::textChanged, this, &CommandPalette::search);
-  connect(m_list, &QListWidget::itemClicked, this, &CommandPalette::choose);
+    : QFrame(window), m_map(map), m_window(window), m_ui(std::make_unique<Ui::CommandPalette>()) {
   hide();
+  m_ui->setupUi(this);
+  m_ui->paletteSearch->addAction(icon("find"), QLineEdit::LeadingPosition);
+  m_ui->paletteSearch->installEventFilter(this);
+  m_ui->paletteList->setItemDelegate(new EntryDelegate(m_ui->paletteList));
+  connect(m_ui->paletteSearch, &QLineEdit::textChanged, this, &CommandPalette::search);
+  connect(m_ui->paletteList, &QListWidget::itemClicked, this, &CommandPalette::choose);
 }
+
+CommandPalette::~CommandPalette() = default;
 
 QToolButton* CommandPalette::makeButton(QAction* action) {
   auto* button = new QToolButton;
@@ -161,12 +121,12 @@ void CommandPalette::toggle() {
   if (isVisible()) return leave();
   m_before = m_window->focusWidget();
   collect();
-  m_search->clear();
+  m_ui->paletteSearch->clear();
   search({});
   show();
   raise();
   m_window->activateWindow();
-  m_search->setFocus(Qt::ShortcutFocusReason);
+  m_ui->paletteSearch->setFocus(Qt::ShortcutFocusReason);
 }
 
 /// Reads the commands and the fields as they are now.
@@ -193,14 +153,16 @@ void CommandPalette::collect() {
 /// Lists the entries that fit all words, the best ones first, then those used last; commands that
 /// are disabled are at the end.
 void CommandPalette::search(const QString& text) {
-  const QStringList words = text.split(' ', Qt::SkipEmptyParts);
+  const QStringList words = text.toLower().split(' ', Qt::SkipEmptyParts);
   const QStringList used = QSettings().value(usedKey).toStringList();
   std::vector<std::tuple<bool, int, std::size_t, std::size_t>> found;  // in the list's order
   for (std::size_t k = 0; k < m_entries.size(); ++k) {
     const Entry& entry = m_entries[k];
+    const std::string title = entry.title.toLower().toStdString();
+    const std::string path = entry.path.toLower().toStdString();
     int sum = 0;
     const bool fits = std::ranges::all_of(words, [&](const QString& word) {
-      const int fit = fitOf(word, entry.title, entry.path);
+      const int fit = wordFit(word.toStdString(), title, path);
       sum += fit;
       return fit > 0;
     });
@@ -209,27 +171,27 @@ void CommandPalette::search(const QString& text) {
     if (fits) found.emplace_back(isDisabled, -sum, std::size_t(used.indexOf(entry.id)), k);
   }
   std::ranges::sort(found);
-  m_list->clear();
+  m_ui->paletteList->clear();
   for (const auto& [isDisabled, fit, use, k] : found) {
     const Entry& entry = m_entries[k];
     const bool isField = entry.editor != nullptr;
-    auto* item =
-        new QListWidgetItem(isField ? entry.path + " · " + entry.title : entry.title, m_list);
+    auto* item = new QListWidgetItem(isField ? entry.path + " · " + entry.title : entry.title,
+                                     m_ui->paletteList);
     item->setData(entryRole, qulonglong(k));
     item->setData(pathRole, isField ? QString() : entry.path);
     item->setData(rightRole, entry.right);
     if (isDisabled) item->setFlags(Qt::NoItemFlags);
   }
-  m_list->setCurrentRow(0);
+  m_ui->paletteList->setCurrentRow(0);
   const int width = std::clamp(m_window->width() * 2 / 5, scaled(380), scaled(560));
-  const int height = std::min(m_list->count(), mostRows) * scaled(28) + 2;
+  const int height = std::min(m_ui->paletteList->count(), mostRows) * scaled(28) + 2;
   setGeometry((m_window->width() - width) / 2, scaled(8), width,
-              m_search->sizeHint().height() + height);
+              m_ui->paletteSearch->sizeHint().height() + height);
 }
 
 /// Does the command, with the focus where it was, or goes to the field.
 void CommandPalette::choose() {
-  const QListWidgetItem* item = m_list->currentItem();
+  const QListWidgetItem* item = m_ui->paletteList->currentItem();
   if (item == nullptr || item->flags() == Qt::NoItemFlags) return;
   const Entry entry = m_entries[item->data(entryRole).toULongLong()];
   QStringList used = QSettings().value(usedKey).toStringList();
@@ -268,7 +230,8 @@ bool CommandPalette::eventFilter(QObject* watched, QEvent* event) {
   if (isChoice) choose();
   if (key == Qt::Key_Escape) leave();
   if (step != 0)
-    m_list->setCurrentRow(std::clamp(m_list->currentRow() + step, 0, m_list->count() - 1));
+    m_ui->paletteList->setCurrentRow(
+        std::clamp(m_ui->paletteList->currentRow() + step, 0, m_ui->paletteList->count() - 1));
   return true;
 }
 

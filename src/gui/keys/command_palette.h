@@ -5,13 +5,16 @@
 
 #include <QFrame>
 #include <QPointer>
+#include <memory>
 #include <vector>
 
 class QAction;
-class QLineEdit;
-class QListWidget;
 class QMainWindow;
 class QToolButton;
+
+namespace Ui {
+class CommandPalette;
+}
 
 namespace hogelscope {
 
@@ -24,6 +27,7 @@ class CommandPalette : public QFrame {
 
  public:
   CommandPalette(KeyMap* map, QMainWindow* window);
+  ~CommandPalette() override;
 
   /// Shows the palette, or hides it if it is shown.
   void toggle();
@@ -50,8 +54,7 @@ class CommandPalette : public QFrame {
 
   KeyMap* m_map;
   QMainWindow* m_window;
-  QLineEdit* m_search;
-  QListWidget* m_list;
+  std::unique_ptr<Ui::CommandPalette> m_ui;
   std::vector<Entry> m_entries;
   QPointer<QWidget> m_before;  ///< what had the focus
 };

@@ -46,24 +46,30 @@ bool isField(const QObject* watched) {
          qobject_cast<const QComboBox*>(watched) != nullptr;
 }
 
+class FieldGuards : public QObject {
+ public:
+  using QObject::QObject;
+
+ private:
+  bool eventFilter(QObject* watched, QEvent* event) override {
+    if (event->type() == QEvent::ShortcutOverride)
+      return filterKey(watched, static_cast<QKeyEvent&>(*event));
+    if ((event->type() != QEvent::Wheel && event->type() != QEvent::Show) || !isField(watched))
+      return false;
+    auto* field = static_cast<QWidget*>(watched);
+    if (event->type() == QEvent::Show) {
+      if (field->focusPolicy() == Qt::WheelFocus) field->setFocusPolicy(Qt::StrongFocus);
+      return false;
+    }
+    event->setAccepted(field->hasFocus());
+    return !field->hasFocus();
+  }
+};
+
 }  // namespace
 
-FieldGuards::FieldGuards(QObject* parent) : QObject(parent) {
-  QCoreApplication::instance()->installEventFilter(this);
-}
-
-bool FieldGuards::eventFilter(QObject* watched, QEvent* event) {
-  if (event->type() == QEvent::ShortcutOverride)
-    return filterKey(watched, static_cast<QKeyEvent&>(*event));
-  if ((event->type() != QEvent::Wheel && event->type() != QEvent::Show) || !isField(watched))
-    return false;
-  auto* field = static_cast<QWidget*>(watched);
-  if (event->type() == QEvent::Show) {
-    if (field->focusPolicy() == Qt::WheelFocus) field->setFocusPolicy(Qt::StrongFocus);
-    return false;
-  }
-  event->setAccepted(field->hasFocus());
-  return !field->hasFocus();
+void guardFields(QObject* owner) {
+  QCoreApplication::instance()->installEventFilter(new FieldGuards(owner));
 }
 
 void focusLastField(QWidget* part) {

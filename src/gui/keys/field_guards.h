@@ -3,24 +3,17 @@
 // focus. The field of a part of the window that had the focus last.
 #pragma once
 
-#include <QObject>
-
+class QObject;
 class QWidget;
 
 namespace hogelscope {
 
-/// Filters the events of the whole application. Line edits and spin boxes keep printable keys by
-/// themselves, but combo boxes do not, and line edits keep Ctrl+Z even with nothing to undo. Spin
-/// boxes and combo boxes use the wheel only while they have the focus, which the wheel does not
-/// give them; otherwise it scrolls their surroundings. A form's numbers never use it.
-class FieldGuards : public QObject {
-  Q_OBJECT
-
- public:
-  explicit FieldGuards(QObject* parent);
-
-  bool eventFilter(QObject* watched, QEvent* event) override;
-};
+/// Filters the events of the whole application while `owner` exists. Line edits and spin boxes keep
+/// printable keys by themselves, but combo boxes do not, and line edits keep Ctrl+Z even with
+/// nothing to undo. Spin boxes and combo boxes use the wheel only while they have the focus, which
+/// the wheel does not give them; otherwise it scrolls their surroundings. A form's numbers never
+/// use it.
+void guardFields(QObject* owner);
 
 /// Moves the focus into `part`: to the field that had it last, else to its first one. Does nothing
 /// in a part without fields.

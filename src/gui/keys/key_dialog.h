@@ -5,12 +5,13 @@
 #include <QDialog>
 #include <QKeySequence>
 #include <QLineEdit>
+#include <memory>
 
 #include "gui/keys/key_map.h"
 
-class QLabel;
-class QPushButton;
-class QTableWidget;
+namespace Ui {
+class KeyDialog;
+}
 
 namespace hogelscope {
 
@@ -37,26 +38,21 @@ class KeyDialog : public QDialog {
 
  public:
   KeyDialog(KeyMap* map, QWidget* parent);
+  ~KeyDialog() override;
 
  private:
   enum Column { commandColumn, helpColumn, keyColumn, defaultColumn, conflictColumn, columnCount };
 
-  void makeTable();
-  void layOut();
   void setWidths();
   void search(const QString& words);
   void refresh();
   void showRow(int row);
   void showChosen();
+  [[nodiscard]] std::size_t chosen() const;
   [[nodiscard]] QString conflictText(int row) const;
 
   KeyMap* m_map;
-  QLineEdit* m_search;
-  QTableWidget* m_table;
-  QLabel* m_label;
-  KeyField* m_field;
-  QPushButton* m_resetButton;
-  QLabel* m_note;
+  std::unique_ptr<Ui::KeyDialog> m_ui;
 };
 
 }  // namespace hogelscope

@@ -1,41 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "gui/session/camera_commands.h"
 
-#include <algorithm>
-#include <cmath>
-
 #include "gui/session/session_model.h"
 #include "gui/widgets/command.h"
 #include "gui/widgets/guarded.h"
 
 namespace hogelscope {
-
-namespace {
-
-/// Finds the range of one number in a parameter description.
-class RangeOf : public ParameterVisitor {
- public:
-  explicit RangeOf(std::string_view name) : m_name(name) {
-    PsfParams psf;
-    describe(*this, psf);
-  }
-  Range range;
-
- private:
-  void group(std::string_view, std::string_view) override {}
-  void numbers(const Field& field, std::span<double>, bool) override { keepRange(field); }
-  void integers(const Field& field, std::span<int>, bool) override { keepRange(field); }
-  void flag(const Field&, bool&) override {}
-  void text(const Field&, std::string&) override {}
-  void choice(const Field&, int&) override {}
-  void keepRange(const Field& field) {
-    if (field.name == m_name) range = field.range;
-  }
-
-  std::string_view m_name;
-};
-
-}  // namespace
 
 struct CameraCommands::MotionCommand {
   const char* name;
@@ -140,11 +110,12 @@ void CameraCommands::addSwitches() {
       });
 }
 
+/// The model ignores indices without a state.
 void CameraCommands::addStates() {
   add(m_menu, "nextState", tr("&Next state"), tr("Makes the next camera state current"),
-      Qt::Key_PageDown, [this] { goTo(1); });
+      Qt::Key_PageDown, [this] { m_model->setCurrentIndex(m_model->currentIndex() + 1); });
   add(m_menu, "previousState", tr("Pre&vious state"), tr("Makes the camera state before current"),
-      Qt::Key_PageUp, [this] { goTo(-1); });
+      Qt::Key_PageUp, [this] { m_model->setCurrentIndex(m_model->currentIndex() - 1); });
 }
 
 /// Edits the current state, if there is one.
@@ -157,25 +128,14 @@ void CameraCommands::edit(const QString& name, const std::function<void(CameraSt
 }
 
 void CameraCommands::stepSigma(int steps) {
-  constexpr double step = 0.05;
-  constexpr double rounding = 1e9;  // keeps sums of steps short in the document
-  const Range range = RangeOf("sigma").range;
-  edit(tr("Change sigma"), [&](CameraState& state) {
-    const double wanted = std::round((state.psf.sigma + steps * step) * rounding) / rounding;
-    if (wanted > range.min) state.psf.sigma = std::min(wanted, range.max);  // 0 is no Gaussian
-  });
+  edit(tr("Change sigma"),
+       [&](CameraState& state) { state.psf.sigma = steppedSigma(state.psf.sigma, steps); });
 }
 
 void CameraCommands::stepWindow(int steps) {
-  const Range range = RangeOf("windowSize").range;
   edit(tr("Change windowSize"), [&](CameraState& state) {
-    int& size = state.psf.windowSize;
-    size = int(std::clamp(size + steps * range.step, range.min, range.max));
+    state.psf.windowSize = steppedWindow(state.psf.windowSize, steps);
   });
-}
-
-void CameraCommands::goTo(int offset) {
-  m_model->setCurrentIndex(std::size_t(std::ptrdiff_t(m_model->currentIndex()) + offset));
 }
 
 template <class Value>

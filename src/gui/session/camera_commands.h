@@ -42,7 +42,6 @@ class CameraCommands : public QObject {
   void edit(const QString& name, const std::function<void(CameraState&)>& action);
   void stepSigma(int steps);
   void stepWindow(int steps);
-  void goTo(int offset);
   /// Toggles between `off` and the kept value.
   template <class Value>
   void toggle(const QString& part, Value& (*in)(CameraState&), const Value& off, Kept<Value>& kept);

@@ -12,7 +12,7 @@ namespace hogelscope {
 
 EditCommands::EditCommands(QMenu* menu, SessionModel* model, QMainWindow* window)
     : QObject(window), m_window(window) {
-  new FieldGuards(this);
+  guardFields(this);
   const auto add = [menu](QAction* action, const char* name, const QString& help,
                           const QKeySequence& key) {
     action->setObjectName(name);

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/cameras/state_list_edits.h"
 #include "io/documents/edit_name.h"
 #include "io/documents/session_file.h"
 #include "io/files/folders.h"
@@ -78,12 +79,8 @@ void SessionModel::begin(const Session& session, const Session& saved, const QSt
 
 void SessionModel::reload() {
   const Session session = loadSession(m_file.toStdString());
-  const std::string name = current().camera.name;
-  const auto sameName = [&](const CameraState& state) { return state.camera.name == name; };
-  const auto found = std::ranges::find_if(session.cameras, sameName);
-  const bool isKept = found != session.cameras.end();
   m_saved = session;
-  push(tr("Reload"), {session, isKept ? std::size_t(found - session.cameras.begin()) : 0});
+  push(tr("Reload"), {session, stateNamed(session, current().camera.name).value_or(0)});
   Q_EMIT saved();
 }
 

@@ -47,37 +47,35 @@ void StateCommands::addListEntries() {
       [this] { remove(); });
   add({"moveUpAction", tr("Move &up"), tr("Moves the current state up"),
        Qt::CTRL | Qt::SHIFT | Qt::Key_Up, tr("Up")},
-      [this] {
-        change(tr("Move state"), [](Session& session, std::size_t index) {
-          const std::size_t to = index > 0 ? index - 1 : 0;
-          moveStates(session, {index}, to);
-          return to;
-        });
-      });
+      [this] { change(tr("Move state"), moveStateUp); });
   add({"moveDownAction", tr("Move dow&n"), tr("Moves the current state down"),
        Qt::CTRL | Qt::SHIFT | Qt::Key_Down, tr("Down")},
-      [this] {
-        change(tr("Move state"), [](Session& session, std::size_t index) {
-          const std::size_t to = std::min(index + 1, session.cameras.size() - 1);
-          moveStates(session, {index}, to + 1);
-          return to;
-        });
-      });
+      [this] { change(tr("Move state"), moveStateDown); });
 }
 
 void StateCommands::addFileEntries() {
   add({"loadStatesAction", tr("&Load states from file…"),
        tr("Adds another session's states behind these"), Qt::CTRL | Qt::SHIFT | Qt::Key_O,
        tr("Load…")},
-      [this] { askStates(); });
+      [this] {
+        const QString file = chooseFile(m_menu, tr("Load states"), sessionFilter());
+        if (!file.isEmpty()) mergeStatesOf(file);
+      });
   add({"addToFileAction", tr("&Add to file…"),
        tr("Adds the marked states to another session's file"), Qt::CTRL | Qt::SHIFT | Qt::Key_A,
        tr("Add to…")},
-      [this] { askFile(); });
+      [this] {
+        const QString file = chooseFile(m_menu, tr("Add states to session"), sessionFilter());
+        if (!file.isEmpty()) appendStatesTo(file);
+      });
   add({"saveStatesAction", tr("&Save to new file…"),
        tr("Writes a session of the marked states only"), Qt::CTRL | Qt::SHIFT | Qt::Key_E,
        tr("Save as…")},
-      [this] { askNewFile(); });
+      [this] {
+        const QString file = chooseNewFile(m_menu, tr("Save states to new session"),
+                                           QFileInfo(m_model->file()).fileName(), sessionFilter());
+        if (!file.isEmpty()) saveStatesAs(file);
+      });
 }
 
 std::vector<CameraState> StateCommands::markedStates() const {
@@ -119,16 +117,9 @@ bool StateCommands::move(const std::vector<std::size_t>& indices, std::size_t be
     m_model->changeStates(tr("Move %n states", "", int(indices.size())), [&](Session& session) {
       const std::string current = session.cameras.at(m_model->currentIndex()).camera.name;
       moveStates(session, indices, before);
-      const auto found = std::ranges::find(
-          session.cameras, current, [](const CameraState& state) { return state.camera.name; });
-      return std::size_t(found - session.cameras.begin());
+      return *stateNamed(session, current);
     });
   });
-}
-
-void StateCommands::askStates() {
-  const QString file = chooseFile(m_menu, tr("Load states"), sessionFilter());
-  if (!file.isEmpty()) mergeStatesOf(file);
 }
 
 bool StateCommands::mergeStatesOf(const QString& file) {
@@ -142,23 +133,12 @@ bool StateCommands::mergeStatesOf(const QString& file) {
   });
 }
 
-void StateCommands::askFile() {
-  const QString file = chooseFile(m_menu, tr("Add states to session"), sessionFilter());
-  if (!file.isEmpty()) appendStatesTo(file);
-}
-
 bool StateCommands::appendStatesTo(const QString& file) {
   return guarded(this, [&] {
     const std::vector<CameraState> states = markedStates();
     appendStates(file.toStdString(), states);
     Q_EMIT done(tr("Added %n states to %1", "", int(states.size())).arg(file));
   });
-}
-
-void StateCommands::askNewFile() {
-  const QString file = chooseNewFile(m_menu, tr("Save states to new session"),
-                                     QFileInfo(m_model->file()).fileName(), sessionFilter());
-  if (!file.isEmpty()) saveStatesAs(file);
 }
 
 bool StateCommands::saveStatesAs(const QString& file) {

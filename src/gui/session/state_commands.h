@@ -46,9 +46,6 @@ class StateCommands : public QObject {
   void add(const CommandText& text, Slot slot);
   void change(const QString& name, std::size_t (*action)(Session&, std::size_t));
   void remove();
-  void askStates();
-  void askFile();
-  void askNewFile();
   [[nodiscard]] std::vector<CameraState> markedStates() const;
 
   QMenu* m_menu;

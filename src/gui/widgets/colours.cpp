@@ -20,6 +20,8 @@ namespace hogelscope {
 
 namespace {
 
+enum class Scheme { system, light, dark };
+
 const Tokens dark{
     .window = 0x222428,
     .canvas = 0x18191b,
@@ -105,7 +107,7 @@ QString styleSheetOf(const Tokens& t) {
         std::pair("@selectionText", t.selectionText), std::pair("@selection", t.selection),
         std::pair("@eye", t.eye), std::pair("@amber", t.amber), std::pair("@error", t.error)})
     sheet.replace(QString(name) + ';', colour.name() + ';');
-  for (const int pixels : {4, 8, 11, 13, 15, 16, 22, 24, 28, 36})
+  for (const int pixels : {4, 8, 11, 13, 15, 16, 22, 24, 28, 34})
     sheet.replace(QString("@%1px").arg(pixels), QString("%1px").arg(scaled(pixels)));
   return sheet;
 }
@@ -156,6 +158,64 @@ class Style : public QProxyStyle {
   }
 };
 
+void apply() {
+  QApplication::setFont(textFont(TextSize::base));
+  QApplication::setPalette(paletteOf(*current));
+  qApp->setStyleSheet(styleSheetOf(*current));
+}
+
+/// Also applies the saved scheme.
+void addSchemes(QMenu* menu) {
+  const auto saved = Scheme(QSettings().value("colours", int(Scheme::dark)).toInt());
+  const auto use = [isSystemDark = isDark(QApplication::palette())](Scheme scheme) {
+    const bool becomesDark = scheme == Scheme::system ? isSystemDark : scheme == Scheme::dark;
+    current = becomesDark ? &dark : &light;
+    apply();
+  };
+  auto* group = new QActionGroup(menu);
+  const auto add = [&](const char* name, const QString& title, const QString& help, Scheme scheme) {
+    const QKeyCombination key = Qt::CTRL | Qt::ALT | Qt::Key(Qt::Key_7 + int(scheme));
+    QAction* action = addCommand(menu, {name, title, help, key}, menu, [use, scheme] {
+      QSettings().setValue("colours", int(scheme));
+      use(scheme);
+    });
+    action->setCheckable(true);
+    action->setChecked(scheme == saved);
+    group->addAction(action);
+  };
+  add("systemColours", QObject::tr("&System"),
+      QObject::tr("Light or dark, as the desktop's other programs"), Scheme::system);
+  add("lightColours", QObject::tr("&Light"), QObject::tr("Dark text on a light window"),
+      Scheme::light);
+  add("darkColours", QObject::tr("&Dark"), QObject::tr("Light text on a dark window"),
+      Scheme::dark);
+  use(saved);
+}
+
+void addSizes(QMenu* menu) {
+  const auto use = [](int scale) {
+    textScale = std::clamp(scale, 80, 200);
+    QSettings().setValue("textScale", textScale);
+    apply();
+  };
+  constexpr int step = 10;  // percent
+  addCommand(
+      menu,
+      {"largerTextAction", QObject::tr("&Larger"),
+       QObject::tr("Makes all text of the window larger"), Qt::CTRL | Qt::ALT | Qt::Key_Plus},
+      menu, [use] { use(textScale + step); });
+  addCommand(
+      menu,
+      {"smallerTextAction", QObject::tr("&Smaller"),
+       QObject::tr("Makes all text of the window smaller"), Qt::CTRL | Qt::ALT | Qt::Key_Minus},
+      menu, [use] { use(textScale - step); });
+  addCommand(
+      menu,
+      {"normalTextAction", QObject::tr("&Normal"),
+       QObject::tr("Gives all text of the window its normal size"), Qt::CTRL | Qt::ALT | Qt::Key_0},
+      menu, [use] { use(100); });
+}
+
 }  // namespace
 
 const Tokens& tokens() {
@@ -177,67 +237,25 @@ QFont textFont(TextSize size, QFont::Weight weight) {
   return font;
 }
 
+QRect writeLine(QPainter& painter, const QRect& place, Qt::Alignment side, const QString& text,
+                const QFont& font, const QColor& ink, Qt::TextElideMode cut) {
+  painter.setFont(font);
+  painter.setPen(ink);
+  QRect used(side.testFlag(Qt::AlignRight) ? place.topRight() : place.topLeft(), QSize(0, 0));
+  painter.drawText(place, int(side), painter.fontMetrics().elidedText(text, cut, place.width()),
+                   &used);
+  return used;
+}
+
 QIcon icon(const QString& name) {
   return QIcon(new SvgIcon(QString(":/icons/%1.svg").arg(name)));
 }
 
-Colours::Colours(QMenu* colours, QMenu* text, QObject* parent)
-    : QObject(parent),
-      m_system(QApplication::palette()),
-      m_scheme(Scheme(QSettings().value("colours", int(Scheme::dark)).toInt())) {
+void addLook(QMenu* colours, QMenu* sizes) {
   textScale = std::clamp(QSettings().value("textScale", 100).toInt(), 80, 200);
-  addSchemes(colours);
-  addSizes(text);
+  addSizes(sizes);
   QApplication::setStyle(new Style);
-  apply();
-}
-
-void Colours::addSchemes(QMenu* menu) {
-  auto* group = new QActionGroup(this);
-  const auto add = [&](const char* name, const QString& title, const QString& help, Scheme scheme) {
-    const CommandText text{name, title, help,
-                           Qt::CTRL | Qt::ALT | Qt::Key(Qt::Key_7 + int(scheme))};
-    QAction* action = addCommand(menu, text, this, [this, scheme] {
-      m_scheme = scheme;
-      QSettings().setValue("colours", int(scheme));
-      apply();
-    });
-    action->setCheckable(true);
-    action->setChecked(scheme == m_scheme);
-    group->addAction(action);
-  };
-  add("systemColours", tr("&System"), tr("Light or dark, as the desktop's other programs"),
-      Scheme::system);
-  add("lightColours", tr("&Light"), tr("Dark text on a light window"), Scheme::light);
-  add("darkColours", tr("&Dark"), tr("Light text on a dark window"), Scheme::dark);
-}
-
-void Colours::addSizes(QMenu* menu) {
-  const auto add = [&](const CommandText& text, auto next) {
-    addCommand(menu, text, this, [this, next] {
-      textScale = std::clamp(next(textScale), 80, 200);
-      QSettings().setValue("textScale", textScale);
-      apply();
-    });
-  };
-  constexpr int step = 10;  // percent
-  add({"largerTextAction", tr("&Larger"), tr("Makes all text of the window larger"),
-       Qt::CTRL | Qt::ALT | Qt::Key_Plus},
-      [](int scale) { return scale + step; });
-  add({"smallerTextAction", tr("&Smaller"), tr("Makes all text of the window smaller"),
-       Qt::CTRL | Qt::ALT | Qt::Key_Minus},
-      [](int scale) { return scale - step; });
-  add({"normalTextAction", tr("&Normal"), tr("Gives all text of the window its normal size"),
-       Qt::CTRL | Qt::ALT | Qt::Key_0},
-      [](int) { return 100; });
-}
-
-void Colours::apply() {
-  const bool isDarkNow = m_scheme == Scheme::system ? isDark(m_system) : m_scheme == Scheme::dark;
-  current = isDarkNow ? &dark : &light;
-  QApplication::setFont(textFont(TextSize::base));
-  QApplication::setPalette(paletteOf(*current));
-  qApp->setStyleSheet(styleSheetOf(*current));
+  addSchemes(colours);
 }
 
 }  // namespace hogelscope

@@ -6,11 +6,10 @@
 #include <QColor>
 #include <QFont>
 #include <QIcon>
-#include <QObject>
-#include <QPalette>
 #include <array>
 
 class QMenu;
+class QPainter;
 
 namespace hogelscope {
 
@@ -48,26 +47,15 @@ enum class TextSize {
 QFont textFont(TextSize size, QFont::Weight weight = QFont::Normal);
 /// Returns a length that is `pixels` at the normal size of text, scaled as text is.
 int scaled(int pixels);
+/// Writes one line into `place`, with "…" where it is too long. Returns the place of the text.
+QRect writeLine(QPainter& painter, const QRect& place, Qt::Alignment side, const QString& text,
+                const QFont& font, const QColor& ink, Qt::TextElideMode cut = Qt::ElideRight);
 
 /// Returns the icon of resources/icons/NAME.svg, painted in the palette's text colour.
 QIcon icon(const QString& name);
 
-/// The menus of the scheme (dark, light, the system's) and of the size of text. Both are saved in
-/// the settings and applied to the application.
-class Colours : public QObject {
-  Q_OBJECT
-
- public:
-  Colours(QMenu* colours, QMenu* text, QObject* parent);
-
- private:
-  enum class Scheme { system, light, dark };
-  void addSchemes(QMenu* menu);
-  void addSizes(QMenu* menu);
-  void apply();
-
-  QPalette m_system;  ///< as the desktop gives it
-  Scheme m_scheme;
-};
+/// Fills the menus of the schemes (dark, light, the system's) and of the size of text. Both choices
+/// are saved in the settings and applied to the application, now and when they change.
+void addLook(QMenu* colours, QMenu* sizes);
 
 }  // namespace hogelscope

@@ -5,27 +5,22 @@
 #include <QAbstractItemView>
 #include <QAction>
 #include <QCoreApplication>
-#include <QDialogButtonBox>
 #include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
-#include <QFormLayout>
-#include <QLabel>
 #include <QLocale>
-#include <QMessageBox>
 #include <QPushButton>
 #include <QSettings>
 #include <QShortcut>
-#include <QSpinBox>
-#include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
 
 #include "report/versions.h"
+#include "ui_size_dialog.h"
 
 namespace hogelscope {
 
-Unsaved askUnsaved(QWidget* window, const QString& name) {
+QMessageBox::StandardButton askUnsaved(QWidget* window, const QString& name) {
   QMessageBox box(QMessageBox::Question, QObject::tr("Unsaved changes"),
                   QObject::tr("%1 has been changed. Save the changes?").arg(name),
                   QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, window);
@@ -35,14 +30,7 @@ Unsaved askUnsaved(QWidget* window, const QString& name) {
   box.button(QMessageBox::Discard)->setText(QObject::tr("&Discard"));
   box.setDefaultButton(QMessageBox::Save);
   box.setEscapeButton(QMessageBox::Cancel);
-  switch (box.exec()) {
-    case QMessageBox::Save:
-      return Unsaved::save;
-    case QMessageBox::Discard:
-      return Unsaved::discard;
-    default:
-      return Unsaved::cancel;
-  }
+  return QMessageBox::StandardButton(box.exec());
 }
 
 Recovery askRecovery(QWidget* window, const QString& document, const QDateTime& time) {
@@ -185,35 +173,27 @@ QString chooseNewFile(QWidget* parent, const QString& title, const QString& name
 SizeDialog::SizeDialog(const QString& title, const QSize& proposed, QWidget* parent)
     : QDialog(parent),
       m_proposed(proposed.expandedTo({1, 1})),
-      m_form(new QFormLayout),
-      m_width(new QSpinBox) {
-  setObjectName("sizeDialog");
+      m_ui(std::make_unique<Ui::SizeDialog>()) {
+  m_ui->setupUi(this);
   setWindowTitle(title);
   constexpr double longest = 16384;  // px, the limit of a state's resolution
   const double aspect = double(m_proposed.height()) / m_proposed.width();
-  m_width->setObjectName("widthBox");
-  m_width->setRange(1, int(longest / std::max(1.0, aspect)));
-  m_width->setValue(m_proposed.width());
-  m_width->setSuffix(tr(" px"));
-  m_width->setToolTip(tr("The height follows, so that the same field is seen"));
-  auto* height = new QLabel;
-  const auto showHeight = [this, height] { height->setText(tr("%1 px").arg(size().height())); };
-  connect(m_width, &QSpinBox::valueChanged, height, showHeight);
-  showHeight();
-  m_form->addRow(tr("&Width"), m_width);
-  m_form->addRow(tr("Height"), height);
-  auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel);
-  connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
-  connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
-  auto* layout = new QVBoxLayout(this);
-  layout->addLayout(m_form);
-  layout->addWidget(buttons);
-  m_width->selectAll();
+  connect(m_ui->widthBox, &QSpinBox::valueChanged, this,
+          [this] { m_ui->heightLabel->setText(tr("%1 px").arg(size().height())); });
+  m_ui->widthBox->setRange(1, int(longest / std::max(1.0, aspect)));
+  m_ui->widthBox->setValue(m_proposed.width());
+  m_ui->widthBox->selectAll();
+}
+
+SizeDialog::~SizeDialog() = default;
+
+QFormLayout* SizeDialog::form() const {
+  return m_ui->form;
 }
 
 QSize SizeDialog::size() const {
-  const double height = double(m_width->value()) * m_proposed.height() / m_proposed.width();
-  return {m_width->value(), std::max(1, int(std::lround(height)))};
+  const double height = double(m_ui->widthBox->value()) * m_proposed.height() / m_proposed.width();
+  return {m_ui->widthBox->value(), std::max(1, int(std::lround(height)))};
 }
 
 }  // namespace hogelscope

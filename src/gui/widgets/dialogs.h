@@ -6,19 +6,21 @@
 
 #include <QDateTime>
 #include <QDialog>
+#include <QMessageBox>
 #include <QString>
 #include <QStringList>
+#include <memory>
 
 class QFormLayout;
-class QSpinBox;
-class QWidget;
+
+namespace Ui {
+class SizeDialog;
+}
 
 namespace hogelscope {
 
-/// The program's modal message boxes. Each function shows one and waits for its answer.
-enum class Unsaved { save, discard, cancel };
-/// Asks before edits of `name` would be lost. Escape cancels.
-Unsaved askUnsaved(QWidget* window, const QString& name);
+/// Asks before edits of `name` would be lost: Save, Discard or Cancel. Escape cancels.
+QMessageBox::StandardButton askUnsaved(QWidget* window, const QString& name);
 
 enum class Recovery { recover, discard, later };
 /// Asks about edits of `document`, dated `time`, that a crash left behind. Escape means later.
@@ -54,18 +56,18 @@ class SizeDialog : public QDialog {
  public:
   /// Keeps the aspect ratio of `proposed`.
   SizeDialog(const QString& title, const QSize& proposed, QWidget* parent);
+  ~SizeDialog() override;
 
   /// Returns the size, at least one pixel each way.
   [[nodiscard]] QSize size() const;
 
  protected:
   /// The layout, for further rows.
-  [[nodiscard]] QFormLayout* form() const { return m_form; }
+  [[nodiscard]] QFormLayout* form() const;
 
  private:
   QSize m_proposed;
-  QFormLayout* m_form;
-  QSpinBox* m_width;
+  std::unique_ptr<Ui::SizeDialog> m_ui;
 };
 
 }  // namespace hogelscope

@@ -14,7 +14,6 @@
 #include <QLineEdit>
 #include <QMenu>
 #include <QPainter>
-#include <QRegularExpression>
 #include <QSignalBlocker>
 #include <QToolButton>
 #include <algorithm>
@@ -86,19 +85,8 @@ class FieldLabel : public QLabel {
 
 namespace {
 
-/// Returns the label of a document's name: "Window size" for "windowSize"; names without vowels
-/// stay, as "PSF" or "k1".
-QString inWords(const QString& name) {
-  static const QRegularExpression vowel("[aeiouyAEIOUY]");
-  static const QRegularExpression wordEnd("([a-z])([A-Z])");
-  if (!name.contains(vowel)) return name.size() < 3 ? name : name.toUpper();
-  QString words = QString(name).replace('-', ' ');
-  words.replace(wordEnd, "\\1 \\2");
-  return words.left(1).toUpper() + words.mid(1).toLower();
-}
-
 QString labelTextOf(const Field& field) {
-  return field.label.empty() ? inWords(toQString(field.name)) : toQString(field.label);
+  return toQString(field.label.empty() ? formLabel(field.name) : std::string(field.label));
 }
 
 /// Returns the allowed values in words; nothing where they are as good as all.
@@ -249,16 +237,12 @@ void ParameterForm::showMenu(QWidget* on, const QString& key, const QPoint& at) 
   QMenu* menu = line != nullptr ? line->createStandardContextMenu() : new QMenu(on);
   menu->setAttribute(Qt::WA_DeleteOnClose);
   if (line != nullptr) menu->addSeparator();
-  offerDefault(menu, key);
+  if (const QString words = labelOf(m_rows[key])->defaultText; !words.isEmpty()) {
+    QAction* action =
+        menu->addAction(tr("&Default: %1").arg(words), this, [this, key] { reset(key); });
+    action->setObjectName("defaultAction");
+  }
   menu->popup(at);
-}
-
-void ParameterForm::offerDefault(QMenu* menu, const QString& key) {
-  const QString words = labelOf(m_rows[key])->defaultText;
-  if (words.isEmpty()) return;
-  QAction* action = menu->addAction(tr("&Default: %1").arg(words));
-  action->setObjectName("defaultAction");
-  connect(action, &QAction::triggered, this, [this, key] { reset(key); });
 }
 
 void ParameterForm::reset(const QString& key) {
@@ -302,7 +286,7 @@ void ParameterForm::applyEdit(QObject* editor) {
 void ParameterForm::group(std::string_view name, std::string_view help) {
   setObjectName(toQString(name) + "Form");
   m_group = toQString(name);
-  m_heading->setText(inWords(m_group));
+  m_heading->setText(toQString(formLabel(name)));
   setToolTip(toQString(help));
 }
 
@@ -384,25 +368,6 @@ BoxRow<Box>* ParameterForm::newBoxes(const Field& field, std::size_t count, bool
   return row;
 }
 
-/// Changes the other one of a linked pair. The ratio is not taken from numbers that were rounded
-/// here, which would drift in a drag.
-template <class Number>
-void ParameterForm::keepRatio(const Field& field, const std::vector<Number>& before,
-                              std::span<Number> values) {
-  const auto link = m_links.find(toQString(field.name));
-  if (link == m_links.end() || !link->button->isChecked()) return;
-  const std::array old{double(before[0]), double(before[1])};
-  if (old[0] != old[1] && std::min(old[0], old[1]) < field.range.min) return;  // one is left out
-  if (old != link->last) link->ratio = old[0] == old[1] ? 1 : old[1] / old[0];
-  const std::size_t edited = values[0] != before[0] ? 0 : 1;
-  double other = edited == 0 ? values[0] * link->ratio : values[1] / link->ratio;
-  if (values[edited] >= field.range.min)
-    other = std::clamp(other, field.range.min, field.range.max);
-  if constexpr (std::is_integral_v<Number>) other = std::round(other);
-  values[1 - edited] = Number(other);
-  link->last = {double(values[0]), double(values[1])};
-}
-
 template <class Box, class Number>
 void ParameterForm::boxes(const Field& field, std::span<Number> values, bool isList) {
   BoxRow<Box>* row = editor(field, [&] { return newBoxes<Box>(field, values.size(), isList); });
@@ -420,7 +385,10 @@ void ParameterForm::boxes(const Field& field, std::span<Number> values, bool isL
                          : box->value() < field.range.min;
     } else if (m_pass == Pass::apply) {
       if (box == m_edited || row == m_edited) values[k] = valueInRange(*box, field.range);
-      if (box == m_edited && values[k] != before[k]) keepRatio(field, before, values);
+      const auto link = m_links.find(toQString(field.name));
+      if (box == m_edited && values[k] != before[k] && link != m_links.end() &&
+          link->button->isChecked())
+        link->pair.follow(field.range, std::span<const Number>(before), values);
     } else {
       const QSignalBlocker quiet(box);
       box->setValue(values[k]);

@@ -7,16 +7,15 @@
 #include <QSet>
 #include <QStringList>
 #include <QWidget>
-#include <array>
 #include <functional>
 #include <string>
 #include <vector>
 
+#include "core/base/linked_pair.h"
 #include "core/base/parameters.h"
 
 class QFormLayout;
 class QLabel;
-class QMenu;
 class QToolButton;
 
 namespace hogelscope {
@@ -74,11 +73,9 @@ class ParameterForm : public QWidget, private ParameterVisitor {
 
  private:
   enum class Pass { show, apply, compare, showDefault };  ///< the last two visit the defaults
-  /// A pair whose ratio is kept, second to first; it is taken anew from values of others.
   struct Link {
     QToolButton* button;
-    double ratio = 1;
-    std::array<double, 2> last{};
+    LinkedPair pair = {};
   };
 
   void group(std::string_view name, std::string_view help) override;
@@ -92,8 +89,6 @@ class ParameterForm : public QWidget, private ParameterVisitor {
   void boxes(const Field& field, std::span<Number> values, bool isList);
   template <class Box>
   BoxRow<Box>* newBoxes(const Field& field, std::size_t count, bool isList);
-  template <class Number>
-  void keepRatio(const Field& field, const std::vector<Number>& before, std::span<Number> values);
   template <class Make>
   auto editor(const Field& field, Make make) -> decltype(make());
   void addRow(const Field& field, const QString& key, QWidget* editor);
@@ -107,7 +102,6 @@ class ParameterForm : public QWidget, private ParameterVisitor {
   [[nodiscard]] bool skipsRow(const QWidget* row) const;
   [[nodiscard]] bool shows() const { return m_pass == Pass::show || m_pass == Pass::showDefault; }
   void showMenu(QWidget* on, const QString& key, const QPoint& at);
-  void offerDefault(QMenu* menu, const QString& key);
 
   Visit m_visit;
   Visit m_defaults;

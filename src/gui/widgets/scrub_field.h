@@ -126,25 +126,20 @@ class ScrubField : public Box {
     }
     painter.strokePath(frame, QPen(isFocused ? t.focus : t.line, ring));
     const QRect inside = this->rect().adjusted(scaled(6), 0, -scaled(6), 0);
-    const auto write = [&painter](const QRect& place, Qt::Alignment side, const QFont& font,
-                                  const QColor& colour, const QString& text) {
-      painter.setPen(colour);
-      painter.setFont(font);
-      painter.drawText(place, int(side | Qt::AlignVCenter), text);
-    };
     const qsizetype axis = QString("xyz").indexOf(letter);
-    write(inside, Qt::AlignLeft, letterFont(), axis < 0 ? t.text3 : t.axes[std::size_t(axis)],
-          letter);
-    write(inside, Qt::AlignRight, textFont(TextSize::caption), t.text3, unit);
+    writeLine(painter, inside, Qt::AlignVCenter, letter, letterFont(),
+              axis < 0 ? t.text3 : t.axes[std::size_t(axis)]);
+    writeLine(painter, inside, Qt::AlignVCenter | Qt::AlignRight, unit, unitFont(), t.text3);
     if (!isFocused)
-      write(textRect(), Qt::AlignLeft, this->font(),
-            this->isEnabled() && !isLeftOut(this->text()) ? t.text : t.text3, shownText());
+      writeLine(painter, textRect(), Qt::AlignVCenter, shownText(), this->font(),
+                this->isEnabled() && !isLeftOut(this->text()) ? t.text : t.text3);
   }
 
  private:
   static constexpr bool isReal = std::is_same_v<Value, double>;
 
   static QFont letterFont() { return textFont(TextSize::caption, QFont::DemiBold); }
+  static QFont unitFont() { return textFont(TextSize::caption); }
 
   [[nodiscard]] QString inDigits(Value value, int digits) const {
     if constexpr (isReal) {
@@ -178,7 +173,7 @@ class ScrubField : public Box {
       return text.isEmpty() ? 0 : QFontMetrics(font).horizontalAdvance(text) + scaled(4);
     };
     return this->rect().adjusted(scaled(6) + width(letter, letterFont()), 2,
-                                 -scaled(6) - width(unit, textFont(TextSize::caption)), -2);
+                                 -scaled(6) - width(unit, unitFont()), -2);
   }
 
   /// Returns the text with fewer digits if it is too wide.
@@ -188,7 +183,7 @@ class ScrubField : public Box {
     QString text = this->text();
     for (int digits = 4; digits > 0 && !isLeftOut(text); --digits)
       if (metrics.horizontalAdvance(text) > width) text = inDigits(this->value(), digits);
-    return metrics.elidedText(text, Qt::ElideRight, width);
+    return text;
   }
 
   std::optional<double> m_pressed;  ///< where the mouse was last, on the screen

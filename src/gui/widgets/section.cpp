@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "gui/widgets/section.h"
 
+#include <QAbstractButton>
 #include <QDockWidget>
 #include <QEvent>
 #include <QHBoxLayout>
@@ -12,48 +13,47 @@
 
 namespace hogelscope {
 
-SectionHeader::SectionHeader(const QString& title, QWidget* parent) : QAbstractButton(parent) {
-  setText(title);
-  setCheckable(true);
-  setFocusPolicy(Qt::StrongFocus);
-  setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-}
+namespace {
 
-void SectionHeader::setSummary(const QString& summary) {
-  m_summary = summary;
-  setAccessibleDescription(summary);
-  update();
-}
-
-QSize SectionHeader::sizeHint() const {
-  return {scaled(240), scaled(28)};
-}
-
-void SectionHeader::paintEvent(QPaintEvent*) {
-  QPainter painter(this);
-  const Tokens& t = tokens();
-  painter.fillRect(rect(), underMouse() ? t.hover : t.window);
-  painter.fillRect(0, 0, width(), 1, t.line);
-  const int size = scaled(16);
-  const QRect chevron(scaled(8), (height() - size) / 2, size, size);
-  hogelscope::icon(isChecked() ? "expanded" : "collapsed").paint(&painter, chevron);
-  const int left = chevron.right() + scaled(6);
-  painter.setFont(textFont(TextSize::base, QFont::DemiBold));
-  painter.setPen(isEnabled() ? t.text : t.text3);
-  painter.drawText(QRect(left, 0, width() - left, height()), Qt::AlignVCenter, text());
-  const int end = left + painter.fontMetrics().horizontalAdvance(text()) + scaled(12);
-  if (!isChecked()) {
-    painter.setFont(textFont(TextSize::caption));
-    painter.setPen(t.text3);
-    const QRect room(end, 0, width() - end - scaled(36), height());
-    painter.drawText(room, int(Qt::AlignVCenter) | int(Qt::AlignRight),
-                     painter.fontMetrics().elidedText(m_summary, Qt::ElideMiddle, room.width()));
+/// The header of a section: a chevron, the title, and while the section is closed its accessible
+/// description, which is a summary.
+class SectionHeader : public QAbstractButton {
+ public:
+  explicit SectionHeader(const QString& title) {
+    setText(title);
+    setCheckable(true);
+    setFocusPolicy(Qt::StrongFocus);
+    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
   }
-  if (hasFocus()) {
-    painter.setPen(QPen(t.focus, 2));
-    painter.drawRect(rect().adjusted(1, 1, -1, -1));
+
+  [[nodiscard]] QSize sizeHint() const override { return {scaled(240), scaled(28)}; }
+  [[nodiscard]] QSize minimumSizeHint() const override { return {80, sizeHint().height()}; }
+
+ protected:
+  void paintEvent(QPaintEvent*) override {
+    QPainter painter(this);
+    const Tokens& t = tokens();
+    painter.fillRect(rect(), underMouse() ? t.hover : t.window);
+    painter.fillRect(0, 0, width(), 1, t.line);
+    const int size = scaled(16);
+    const QRect chevron(scaled(8), (height() - size) / 2, size, size);
+    hogelscope::icon(isChecked() ? "expanded" : "collapsed").paint(&painter, chevron);
+    const int left = chevron.right() + scaled(6);
+    const QRect title =
+        writeLine(painter, rect().adjusted(left, 0, 0, 0), Qt::AlignVCenter, text(),
+                  textFont(TextSize::base, QFont::DemiBold), isEnabled() ? t.text : t.text3);
+    if (!isChecked())
+      writeLine(painter, rect().adjusted(title.right() + scaled(12), 0, -scaled(36), 0),
+                Qt::AlignVCenter | Qt::AlignRight, accessibleDescription(),
+                textFont(TextSize::caption), t.text3, Qt::ElideMiddle);
+    if (hasFocus()) {
+      painter.setPen(QPen(t.focus, 2));
+      painter.drawRect(rect().adjusted(1, 1, -1, -1));
+    }
   }
-}
+};
+
+}  // namespace
 
 Section::Section(QWidget* content, QDockWidget* dock, QWidget* parent)
     : QWidget(parent),
@@ -92,6 +92,15 @@ Section::Section(QWidget* content, QDockWidget* dock, QWidget* parent)
     m_dock->show();
   });
   content->hide();
+}
+
+void Section::setSummary(const QString& summary) {
+  m_header->setAccessibleDescription(summary);
+  m_header->update();
+}
+
+bool Section::isOpen() const {
+  return m_header->isChecked();
 }
 
 void Section::setOpen(bool isOpen) {

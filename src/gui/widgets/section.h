@@ -3,32 +3,14 @@
 // of its own instead.
 #pragma once
 
-#include <QAbstractButton>
 #include <QWidget>
 
+class QAbstractButton;
 class QDockWidget;
 class QScrollArea;
-class QToolButton;
 class QVBoxLayout;
 
 namespace hogelscope {
-
-/// The header of a section: a chevron, the title, and while the section is closed a summary.
-class SectionHeader : public QAbstractButton {
-  Q_OBJECT
-
- public:
-  explicit SectionHeader(const QString& title, QWidget* parent = nullptr);
-  void setSummary(const QString& summary);
-  [[nodiscard]] QSize sizeHint() const override;
-  [[nodiscard]] QSize minimumSizeHint() const override { return {80, sizeHint().height()}; }
-
- protected:
-  void paintEvent(QPaintEvent* event) override;
-
- private:
-  QString m_summary;
-};
 
 /// The content is in the column while its dock is hidden, and in the dock while it is shown. The
 /// dock has the section's title.
@@ -40,10 +22,10 @@ class Section : public QWidget {
   /// "cameraDock".
   Section(QWidget* content, QDockWidget* dock, QWidget* parent = nullptr);
 
-  void setSummary(const QString& summary) { m_header->setSummary(summary); }
+  void setSummary(const QString& summary);
   /// Opens or closes the section in the column.
   void setOpen(bool isOpen);
-  [[nodiscard]] bool isOpen() const { return m_header->isChecked(); }
+  [[nodiscard]] bool isOpen() const;
   /// Whether the content stands in the dock.
   [[nodiscard]] bool isOut() const;
   [[nodiscard]] QDockWidget* dock() const { return m_dock; }
@@ -60,7 +42,7 @@ class Section : public QWidget {
 
   QWidget* m_content;
   QDockWidget* m_dock;
-  SectionHeader* m_header;
+  QAbstractButton* m_header;
   QVBoxLayout* m_layout;
   QScrollArea* m_area;  ///< in the dock
 };

@@ -276,6 +276,13 @@ std::vector<std::string> examine(const LightFieldParams& lightField, const Displ
   return lines;
 }
 
+bool mayHave(Layout layout, const std::string& file, Layout own) {
+  if (layout == own) return true;
+  const Holder holder = typeOf(layout).holder;
+  return holderOf(file) == Holder::picture &&
+         (holder == Holder::picture || holder == Holder::views);
+}
+
 bool isInDoubt(const Opening& opening) {
   return !opening.problem.empty() ||
          std::ranges::any_of(opening.assumptions, [](const Assumption& each) {

@@ -49,6 +49,10 @@ Opening inspectFile(const std::string& file, const SaidFields& said, const Progr
 std::vector<std::string> examine(const LightFieldParams& lightField, const DisplayParams& display,
                                  const Progress& progress = {});
 
+/// Whether a file or folder whose layout is `own` can have another one. A picture may be one of the
+/// views in its folder.
+bool mayHave(Layout layout, const std::string& file, Layout own);
+
 /// Whether there is a problem, or a guess that a user should see before it is used.
 bool isInDoubt(const Opening& opening);
 

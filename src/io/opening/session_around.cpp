@@ -232,4 +232,15 @@ Session withLightField(const Session& session, const std::string& file) {
   return result;
 }
 
+bool canCompare(const Session& session, const std::string& file, const Progress& progress) {
+  try {
+    const Session other = withLightField(session, file);
+    const auto lightField = openLightField(other.lightField, other.display, progress);
+    (void)resolved(displayOf(other), lightField->size());
+    return true;
+  } catch (const InputError&) {
+    return false;
+  }
+}
+
 }  // namespace hogelscope

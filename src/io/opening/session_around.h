@@ -38,5 +38,7 @@ Session sessionAround(const std::string& file, const std::vector<std::string>& o
 /// Returns the session with another light field, for comparisons: an image, a folder of views, or a
 /// session, whose display is used too. Throws InputError.
 Session withLightField(const Session& session, const std::string& file);
+/// Whether another light field can be read and shown by the session's display. Throws Cancelled.
+bool canCompare(const Session& session, const std::string& file, const Progress& progress);
 
 }  // namespace hogelscope

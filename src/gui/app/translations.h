@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Starts the desktop app.
+// The translations of the window's texts.
 #pragma once
-
-#include <string>
-#include <vector>
 
 namespace hogelscope {
 
@@ -11,8 +8,5 @@ namespace hogelscope {
 /// translation into the user's language if hogelscope_<language>.qm lies beside the program. Needs
 /// a QCoreApplication, which owns the translators; existing windows keep their texts.
 void installTranslations();
-
-/// Opens the window and `files` in it (FileCommands::openFiles). Returns the exit status.
-int runWindow(int argc, char** argv, const std::vector<std::string>& files);
 
 }  // namespace hogelscope
