@@ -11,7 +11,6 @@
 #include <QMimeData>
 #include <QPainter>
 #include <QScopedValueRollback>
-#include <QSortFilterProxyModel>
 #include <QStyledItemDelegate>
 #include <QToolButton>
 #include <algorithm>
@@ -144,28 +143,6 @@ class StateRows : public QAbstractListModel {
   int m_count = 0;  ///< rows that the view knows of
 };
 
-/// The rows that the text of the filter field lets through.
-class StateListFilter : public QSortFilterProxyModel {
- public:
-  explicit StateListFilter(StateRows* rows) : QSortFilterProxyModel(rows), m_rows(rows) {
-    setSourceModel(rows);
-  }
-
-  void setText(const QString& text) {
-    m_filter = RowFilter(text, {"PSNR", "σ", "lens", "distance", "angle"});
-    invalidateFilter();
-  }
-
- private:
-  [[nodiscard]] bool filterAcceptsRow(int row, const QModelIndex&) const override {
-    return m_filter.accepts(m_rows->index(row).data().toString(),
-                            [&](std::size_t k) { return m_rows->numbersOf(std::size_t(row))[k]; });
-  }
-
-  StateRows* m_rows;
-  RowFilter m_filter;
-};
-
 namespace {
 
 /// Paints a row: picture, name and detail, PSNR with a bar; a line marks the current state.
@@ -251,7 +228,9 @@ StateDock::StateDock(SessionModel* model, StateCommands* commands, SceneControll
       m_commands(commands),
       m_scene(scene),
       m_rows(new StateRows(model, commands, this)),
-      m_shown(new StateListFilter(m_rows)),
+      m_shown(new FilteredRows(
+          m_rows,
+          [this](int row, std::size_t k) { return m_rows->numbersOf(std::size_t(row))[k]; })),
       m_list(new QListView),
       m_count(new QLabel),
       m_filter(new QLineEdit) {
@@ -330,8 +309,10 @@ void StateDock::connectModel() {
   connect(selection, &QItemSelectionModel::selectionChanged, this, [this] {
     if (!m_isFollowing) emitSelection();
   });
-  connect(m_filter, &QLineEdit::textChanged, this,
-          [this](const QString& text) { follow([&] { m_shown->setText(text); }); });
+  connect(m_filter, &QLineEdit::textChanged, this, [this](const QString& text) {
+    const RowFilter filter(text, {"PSNR", "σ", "lens", "distance", "angle"});
+    follow([&] { m_shown->setFilter(filter); });
+  });
   connect(m_model, &SessionModel::opened, this, [this] {
     m_rows->pictures.clear();
     m_filter->clear();

@@ -13,10 +13,10 @@ class QToolButton;
 
 namespace hogelscope {
 
+class FilteredRows;
 class SceneController;
 class SessionModel;
 class StateCommands;
-class StateListFilter;
 class StateRows;
 
 /// Imports the states of session documents dropped onto it; its own rows can be dragged to another
@@ -55,7 +55,7 @@ class StateDock : public QWidget {
   StateCommands* m_commands;
   SceneController* m_scene;
   StateRows* m_rows;
-  StateListFilter* m_shown;
+  FilteredRows* m_shown;
   QListView* m_list;
   QLabel* m_count;
   QLineEdit* m_filter;

@@ -2,8 +2,10 @@
 // Filter of the rows of a table by a line of text.
 #pragma once
 
+#include <QSortFilterProxyModel>
 #include <QStringList>
 #include <functional>
+#include <utility>
 #include <vector>
 
 namespace hogelscope {
@@ -31,6 +33,30 @@ class RowFilter {
   };
   std::vector<Condition> m_conditions;
   QStringList m_texts;
+};
+
+/// The rows of a list or table that a filter lets through.
+class FilteredRows : public QSortFilterProxyModel {
+ public:
+  /// `value` returns the value of a row of `rows`, as for RowFilter. A row's text is its name.
+  FilteredRows(QAbstractItemModel* rows, std::function<double(int row, std::size_t k)> value)
+      : QSortFilterProxyModel(rows), m_value(std::move(value)) {
+    setSourceModel(rows);
+  }
+  void setFilter(const RowFilter& filter) {
+    m_filter = filter;
+    invalidateFilter();
+  }
+
+ protected:
+  [[nodiscard]] bool filterAcceptsRow(int row, const QModelIndex& parent) const override {
+    return m_filter.accepts(sourceModel()->index(row, 0, parent).data().toString(),
+                            [&](std::size_t k) { return m_value(row, k); });
+  }
+
+ private:
+  std::function<double(int row, std::size_t k)> m_value;
+  RowFilter m_filter;
 };
 
 }  // namespace hogelscope
