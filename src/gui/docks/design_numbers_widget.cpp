@@ -2,8 +2,9 @@
 #include "gui/docks/design_numbers_widget.h"
 
 #include <QPainter>
-#include <cmath>
 
+#include "chart/depth_bar.h"
+#include "gui/session/session_forms.h"
 #include "gui/widgets/colours.h"
 #include "io/scene/view_source.h"
 #include "ui_design_numbers.h"
@@ -24,19 +25,13 @@ QString inDigits(const std::array<double, 2>& pair, double factor = 1) {
   return across == down ? across : across + " × " + down;
 }
 
-QString inCentimetres(double depth) {
-  const double size = 100 * std::abs(depth);
-  return (depth < 0 ? "−" : "+") +
-         (std::isfinite(size) ? QLocale().toString(size, 'f', size < 10 ? 1 : 0) : "∞");
-}
-
-QString inCentimetres(const std::array<double, 2>& depths) {
+QString rangeText(const std::array<double, 2>& depths) {
   return inCentimetres(depths[0]) + "\u2009…\u2009" + inCentimetres(depths[1]);
 }
 
 }  // namespace
 
-/// The depths around the panel, even in dioptres of the eye: the sharp ones, and the content's.
+/// The depths around the panel.
 class DepthBar : public QWidget {
  public:
   using QWidget::QWidget;
@@ -47,53 +42,14 @@ class DepthBar : public QWidget {
   [[nodiscard]] QSize minimumSizeHint() const override { return sizeHint(); }
 
  protected:
-  void paintEvent(QPaintEvent* event) override;
-
- private:
-  /// Depths at the eye and behind it are almost at the eye.
-  [[nodiscard]] double dioptresOf(double depth) const {
-    return dioptresAt(std::min(depth, 0.999 * numbers.distance), numbers.distance);
+  void paintEvent(QPaintEvent*) override {
+    const Tokens& t = tokens();
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setFont(textFont(TextSize::caption));
+    paintDepthBar(painter, size(), numbers, content, {t.line, t.field, t.good, t.text, t.text3});
   }
 };
-
-void DepthBar::paintEvent(QPaintEvent* /*event*/) {
-  const Tokens& t = tokens();
-  QPainter painter(this);
-  painter.setRenderHint(QPainter::Antialiasing);
-  const QRectF bar(0.5, 0.5, width() - 1, scaled(20));
-  painter.setPen(t.line);
-  painter.setBrush(t.field);
-  painter.drawRoundedRect(bar, 4, 4);
-  if (!(numbers.distance > 0)) return;
-  const double sharp = dioptresOf(numbers.depthFront);
-  double most = sharp;
-  for (const double depth : content.value_or(std::array{0.0, 0.0}))
-    most = std::max(most, std::abs(dioptresOf(depth)));
-  const double ends = 1.4 * std::min(most, 3 * sharp);  // content that is far out is cut
-  const auto xOf = [&](double depth) {
-    return bar.center().x() + bar.width() / 2 * std::clamp(dioptresOf(depth) / ends, -1.0, 1.0);
-  };
-  const auto span = [&](double from, double to, double inset) {
-    return QRectF(QPointF(xOf(from), bar.top() + inset), QPointF(xOf(to), bar.bottom() - inset));
-  };
-  const QRectF within = span(-numbers.depthBehind, numbers.depthFront, 0);
-  painter.setOpacity(0.4);
-  painter.fillRect(within, t.good);
-  painter.setOpacity(1);
-  painter.setPen(QPen(t.good, 1.5));
-  painter.drawLine(within.topLeft(), within.bottomLeft());
-  painter.drawLine(within.topRight(), within.bottomRight());
-  painter.setPen(t.text3);
-  painter.drawLine(QPointF(bar.center().x(), bar.top()), QPointF(bar.center().x(), bar.bottom()));
-  painter.setFont(textFont(TextSize::caption));
-  for (const double depth : {-numbers.depthBehind, 0.0, numbers.depthFront})
-    painter.drawText(QRectF(xOf(depth) - scaled(24), scaled(22), scaled(48), scaled(18)),
-                     Qt::AlignCenter, depth == 0 ? "0" : inCentimetres(depth));
-  painter.setPen(Qt::NoPen);
-  painter.setBrush(t.text);
-  if (content)
-    painter.drawRoundedRect(span((*content)[0], (*content)[1], bar.height() / 2 - 3), 3, 3);
-}
 
 DesignNumbersWidget::DesignNumbersWidget(const SessionModel* model, QWidget* parent)
     : QWidget(parent),
@@ -109,10 +65,7 @@ DesignNumbersWidget::DesignNumbersWidget(const SessionModel* model, QWidget* par
   m_ui->column->setContentsMargins(scaled(12), scaled(4), scaled(12), scaled(4));
   m_ui->column->setSpacing(scaled(4));
   m_ui->column->insertWidget(1, m_bar);
-  for (const auto change :
-       {&SessionModel::opened, &SessionModel::currentChanged, &SessionModel::edited,
-        &SessionModel::statesChanged, &SessionModel::contentChanged})
-    connect(model, change, this, &DesignNumbersWidget::showNumbers);
+  onAnyChange(model, this, &DesignNumbersWidget::showNumbers);
   showNumbers();
 }
 
@@ -166,13 +119,13 @@ void DesignNumbersWidget::showNumbers() {
   say(m_ui->degreesPerDirection, inDigits(n.degreesPerDirection), "°", tr("each direction"));
   say(m_ui->directionsPerPupil, inDigits(n.directionsPerPupil), "", tr("directions in the pupil"));
   say(m_ui->megapixels, inDigits(n.megapixels), tr("Mpx"), tr("pixels behind lenses"));
-  say(m_ui->sharpDepths, n.depthFront > 0 ? inCentimetres(sharp) : "–", tr("cm"),
+  say(m_ui->sharpDepths, n.depthFront > 0 ? rangeText(sharp) : "–", tr("cm"),
       tr("sharp for this eye"));
   QString legend = tr("<span style='color: %1'>■</span> sharp").arg(t.good.name());
   if (m_bar->content) {
     const auto [back, front] = *m_bar->content;
     legend += tr(" &nbsp; <span style='color: %1'>▬</span> content %2 cm")
-                  .arg(t.text.name(), inCentimetres(*m_bar->content));
+                  .arg(t.text.name(), rangeText(*m_bar->content));
     if (back >= sharp[0] && front <= sharp[1]) legend += tr(": all sharp");
   }
   m_ui->depthLegend->setText(QString("<span style='font-size: %1px; color: %2'>%3</span>")

@@ -114,10 +114,7 @@ DistortionDock::DistortionDock(SessionModel* model, QAction* importAction, QWidg
   layout->addLayout(buttons);
   layout->addWidget(m_certificate);
   layout->addWidget(m_lens, 1);
-  for (const auto change :
-       {&SessionModel::opened, &SessionModel::currentChanged, &SessionModel::edited,
-        &SessionModel::statesChanged, &SessionModel::contentChanged})
-    connect(model, change, this, &DistortionDock::noteEdits);
+  onAnyChange(model, this, &DistortionDock::noteEdits);
 }
 
 void DistortionDock::showLens(const CertifiedLens& lens) {
