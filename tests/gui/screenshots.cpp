@@ -20,7 +20,7 @@
 #include <QTimer>
 #include <QtTest>
 
-#include "gui/app/application.h"
+#include "gui/app/translations.h"
 #include "gui/docks/report_dock.h"
 #include "gui/files/opening_dialog.h"
 #include "gui/keys/key_dialog.h"

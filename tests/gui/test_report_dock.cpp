@@ -509,13 +509,13 @@ void TestReportDock::meansAndEyes() {
 }
 
 void TestReportDock::namesAreShort() {
-  QCOMPARE(shortNames({"/x/a.jpg", "y/b.jpg", "c"}), QStringList({"a.jpg", "b.jpg", "c"}));
+  using Names = std::vector<std::string>;
+  QCOMPARE(shortNames({"/x/a.jpg", "y/b.jpg", "c"}), Names({"a.jpg", "b.jpg", "c"}));
   QCOMPARE(shortNames({"/x/a/q.jpg", "/x/b/q.jpg", "/x/b/r.jpg"}),
-           QStringList({"a/q.jpg", "b/q.jpg", "r.jpg"}));
-  QCOMPARE(shortNames({"/x/a/out/v/q.jpg", "/x/b/out/v/q.jpg"}),
-           QStringList({"a/…/q.jpg", "b/…/q.jpg"}));
-  QCOMPARE(shortNames({"views/", "/views"}), QStringList({"views", "views"}));
-  QCOMPARE(shortNames({"q.jpg", "q.jpg"}), QStringList({"q.jpg", "q.jpg"}));
+           Names({"a/q.jpg", "b/q.jpg", "r.jpg"}));
+  QCOMPARE(shortNames({"/x/a/out/v/q.jpg", "/x/b/out/v/q.jpg"}), Names({"a/…/q.jpg", "b/…/q.jpg"}));
+  QCOMPARE(shortNames({"views/", "/views"}), Names({"views", "views"}));
+  QCOMPARE(shortNames({"q.jpg", "q.jpg"}), Names({"q.jpg", "q.jpg"}));
 }
 
 /// Those that the report's folder has: the worst, the median and the best.

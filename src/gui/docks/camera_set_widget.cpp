@@ -1,18 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "gui/docks/camera_set_widget.h"
 
-#include <QComboBox>
-#include <QFormLayout>
-#include <QLabel>
-#include <QPushButton>
-#include <QScrollArea>
-#include <QVBoxLayout>
-
 #include "gui/session/session_model.h"
 #include "gui/widgets/dialogs.h"
 #include "gui/widgets/guarded.h"
 #include "gui/widgets/parameter_form.h"
 #include "io/documents/camera_set_file.h"
+#include "ui_camera_set_widget.h"
 
 namespace hogelscope {
 
@@ -29,33 +23,18 @@ std::vector<CameraState> addedStates(const Session& session, const CameraSet& se
 }  // namespace
 
 CameraSetWidget::CameraSetWidget(QWidget* parent)
-    : QWidget(parent),
-      m_templates(new QComboBox),
-      m_addButton(new QPushButton(tr("&Add these states"), this)),
-      m_fileButton(new QPushButton(tr("Add from &file…"), this)) {
-  m_addButton->setObjectName("addSetButton");
-  m_addButton->setToolTip(tr("Adds the set at the end of the list of states"));
-  m_fileButton->setObjectName("addSetFileButton");
-  m_fileButton->setToolTip(tr(
-      "A distribution, list or path (JSON), or a viewer's trace (CSV); the settings above that a "
-      "file does not say are its own defaults"));
-  auto* forms = new QWidget;
-  auto* column = new QVBoxLayout(forms);
-  column->addWidget(makeTemplates());
-  column->addWidget(form(m_params));
-  column->addWidget(form(m_region));
-  column->addStretch();
-  auto* area = new QScrollArea;
-  area->setWidget(forms);
-  area->setWidgetResizable(true);
-  auto* layout = new QVBoxLayout(this);
-  layout->addWidget(area, 1);
-  layout->addWidget(m_addButton);
-  layout->addWidget(m_fileButton);
-  connect(m_addButton, &QPushButton::clicked, this,
+    : QWidget(parent), m_ui(std::make_unique<Ui::CameraSetWidget>()) {
+  m_ui->setupUi(this);
+  m_ui->forms->addWidget(form(m_params));
+  m_ui->forms->addWidget(form(m_region));
+  m_ui->forms->addStretch();
+  connect(m_ui->templateBox, &QComboBox::activated, this, &CameraSetWidget::showPreview);
+  connect(m_ui->addSetButton, &QPushButton::clicked, this,
           [this] { add([this] { return currentSet(); }); });
-  connect(m_fileButton, &QPushButton::clicked, this, &CameraSetWidget::askFile);
+  connect(m_ui->addSetFileButton, &QPushButton::clicked, this, &CameraSetWidget::askFile);
 }
+
+CameraSetWidget::~CameraSetWidget() = default;
 
 template <class Params>
 QWidget* CameraSetWidget::form(Params& params) {
@@ -68,39 +47,27 @@ QWidget* CameraSetWidget::form(Params& params) {
   return made;
 }
 
-QWidget* CameraSetWidget::makeTemplates() {
-  m_templates->setObjectName("templateBox");
-  m_templates->setToolTip(
-      tr("<p>The state that lens, intrinsics, PSF, resolution and field of view are taken from</p>"
-         "<p>In documents: <b>cameraSet.template</b></p>"));
-  m_templates->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);  // names may be long
-  connect(m_templates, &QComboBox::activated, this, &CameraSetWidget::showPreview);
-  auto* row = new QWidget;
-  auto* layout = new QFormLayout(row);
-  layout->addRow(tr("Template"), m_templates);
-  return row;
-}
-
 QString CameraSetWidget::currentText() const {
   return tr("Current state (%1)").arg(QString::fromStdString(m_model->current().camera.name));
 }
 
 /// Refills the list of template states, and keeps the choice while its state exists.
 void CameraSetWidget::showTemplates() {
-  const QString chosen = m_templates->currentIndex() > 0 ? m_templates->currentText() : QString();
-  m_templates->clear();
+  const QString chosen =
+      m_ui->templateBox->currentIndex() > 0 ? m_ui->templateBox->currentText() : QString();
+  m_ui->templateBox->clear();
   const Session& session = m_model->session();
   if (session.cameras.empty()) return;
-  m_templates->addItem(currentText());
+  m_ui->templateBox->addItem(currentText());
   for (const CameraState& state : session.cameras)
-    m_templates->addItem(QString::fromStdString(state.camera.name));
-  for (int k = 1; k < m_templates->count(); ++k)
-    if (m_templates->itemText(k) == chosen) m_templates->setCurrentIndex(k);
+    m_ui->templateBox->addItem(QString::fromStdString(state.camera.name));
+  for (int k = 1; k < m_ui->templateBox->count(); ++k)
+    if (m_ui->templateBox->itemText(k) == chosen) m_ui->templateBox->setCurrentIndex(k);
 }
 
 CameraSet CameraSetWidget::currentSet() const {
   CameraSet set{m_params, m_region, {}};
-  const int chosen = m_templates->currentIndex();
+  const int chosen = m_ui->templateBox->currentIndex();
   const std::size_t index = chosen > 0 ? std::size_t(chosen - 1) : m_model->currentIndex();
   set.params.templateState = m_model->session().cameras.at(index).camera.name;
   return set;
@@ -136,7 +103,7 @@ void CameraSetWidget::setModel(SessionModel* model) {
   for (const auto change : {&SessionModel::opened, &SessionModel::statesChanged})
     connect(m_model, change, this, &CameraSetWidget::showTemplates);
   connect(m_model, &SessionModel::currentChanged, this,
-          [this] { m_templates->setItemText(0, currentText()); });
+          [this] { m_ui->templateBox->setItemText(0, currentText()); });
   showTemplates();
   // Changes of the session update an existing preview but do not show a removed one again.
   for (const auto change : {&SessionModel::currentChanged, &SessionModel::statesChanged,
@@ -147,8 +114,8 @@ void CameraSetWidget::setModel(SessionModel* model) {
   connect(m_model, &SessionModel::opened, this, &CameraSetWidget::showPreview);
   const auto enable = [this] {
     const bool has = !m_model->session().cameras.empty();
-    m_addButton->setEnabled(has);
-    m_fileButton->setEnabled(has);
+    m_ui->addSetButton->setEnabled(has);
+    m_ui->addSetFileButton->setEnabled(has);
   };
   connect(m_model, &SessionModel::opened, this, enable);
   enable();

@@ -3,12 +3,15 @@
 #pragma once
 
 #include <QWidget>
+#include <functional>
+#include <memory>
 #include <vector>
 
 #include "core/cameras/camera_set.h"
 
-class QComboBox;
-class QPushButton;
+namespace Ui {
+class CameraSetWidget;
+}
 
 namespace hogelscope {
 
@@ -19,6 +22,7 @@ class CameraSetWidget : public QWidget {
 
  public:
   explicit CameraSetWidget(QWidget* parent = nullptr);
+  ~CameraSetWidget() override;
 
   void setModel(SessionModel* model);
   /// Adds states of a distribution (JSON) or a viewer's trace (CSV). Returns true if they were
@@ -37,7 +41,6 @@ class CameraSetWidget : public QWidget {
  private:
   template <class Params>
   QWidget* form(Params& params);
-  QWidget* makeTemplates();
   void showTemplates();
   [[nodiscard]] QString currentText() const;
   [[nodiscard]] CameraSet currentSet() const;
@@ -46,13 +49,11 @@ class CameraSetWidget : public QWidget {
   void askFile();
   bool add(const std::function<CameraSet()>& set);
 
+  std::unique_ptr<Ui::CameraSetWidget> m_ui;  ///< templateBox: the current state, then all by name
   CameraSetParams m_params;
   CameraRegionParams m_region;
   SessionModel* m_model = nullptr;
   std::vector<CameraState> m_preview;  ///< as last emitted
-  QComboBox* m_templates;              ///< the current state, then all states by name
-  QPushButton* m_addButton;
-  QPushButton* m_fileButton;
 };
 
 }  // namespace hogelscope

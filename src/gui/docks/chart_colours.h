@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Colours of charts in the window.
+// Colours, texts and marks of charts in the window.
 #pragma once
+
+#include <QPixmap>
 
 #include "chart/painting.h"
 #include "gui/widgets/colours.h"
@@ -19,6 +21,18 @@ inline QFont chartFont() {
   QFont font = textFont(TextSize::base);
   font.setPixelSize(scaled(pixels));
   return font;
+}
+
+/// Returns a transparent square with what `paint` paints; `ratio`: its pixels per pixel of the
+/// window.
+inline QPixmap pixmapOf(int side, double ratio, const Paint& paint) {
+  QPixmap pixmap(QSize(side, side) * ratio);
+  pixmap.setDevicePixelRatio(ratio);
+  pixmap.fill(Qt::transparent);
+  QPainter painter(&pixmap);
+  painter.setRenderHint(QPainter::Antialiasing);
+  paint(painter, QSizeF(side, side));
+  return pixmap;
 }
 
 }  // namespace hogelscope

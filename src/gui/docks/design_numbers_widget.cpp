@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "gui/docks/design_numbers_widget.h"
 
-#include <QGridLayout>
-#include <QLabel>
 #include <QPainter>
-#include <QVBoxLayout>
-#include <cmath>
 
+#include "chart/depth_bar.h"
+#include "gui/session/session_forms.h"
 #include "gui/widgets/colours.h"
 #include "io/scene/view_source.h"
+#include "ui_design_numbers.h"
 
 namespace hogelscope {
 
@@ -26,19 +25,13 @@ QString inDigits(const std::array<double, 2>& pair, double factor = 1) {
   return across == down ? across : across + " × " + down;
 }
 
-QString inCentimetres(double depth) {
-  const double size = 100 * std::abs(depth);
-  return (depth < 0 ? "−" : "+") +
-         (std::isfinite(size) ? QLocale().toString(size, 'f', size < 10 ? 1 : 0) : "∞");
-}
-
-QString inCentimetres(const std::array<double, 2>& depths) {
+QString rangeText(const std::array<double, 2>& depths) {
   return inCentimetres(depths[0]) + "\u2009…\u2009" + inCentimetres(depths[1]);
 }
 
 }  // namespace
 
-/// The depths around the panel, even in dioptres of the eye: the sharp ones, and the content's.
+/// The depths around the panel.
 class DepthBar : public QWidget {
  public:
   using QWidget::QWidget;
@@ -49,104 +42,34 @@ class DepthBar : public QWidget {
   [[nodiscard]] QSize minimumSizeHint() const override { return sizeHint(); }
 
  protected:
-  void paintEvent(QPaintEvent* event) override;
-
- private:
-  /// Depths at the eye and behind it are almost at the eye.
-  [[nodiscard]] double dioptresOf(double depth) const {
-    return dioptresAt(std::min(depth, 0.999 * numbers.distance), numbers.distance);
+  void paintEvent(QPaintEvent*) override {
+    const Tokens& t = tokens();
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setFont(textFont(TextSize::caption));
+    paintDepthBar(painter, size(), numbers, content, {t.line, t.field, t.good, t.text, t.text3});
   }
 };
 
-void DepthBar::paintEvent(QPaintEvent* /*event*/) {
-  const Tokens& t = tokens();
-  QPainter painter(this);
-  painter.setRenderHint(QPainter::Antialiasing);
-  const QRectF bar(0.5, 0.5, width() - 1, scaled(20));
-  painter.setPen(t.line);
-  painter.setBrush(t.field);
-  painter.drawRoundedRect(bar, 4, 4);
-  if (!(numbers.distance > 0)) return;
-  const double sharp = dioptresOf(numbers.depthFront);
-  double most = sharp;
-  for (const double depth : content.value_or(std::array{0.0, 0.0}))
-    most = std::max(most, std::abs(dioptresOf(depth)));
-  const double ends = 1.4 * std::min(most, 3 * sharp);  // content that is far out is cut
-  const auto xOf = [&](double depth) {
-    return bar.center().x() + bar.width() / 2 * std::clamp(dioptresOf(depth) / ends, -1.0, 1.0);
-  };
-  const auto span = [&](double from, double to, double inset) {
-    return QRectF(QPointF(xOf(from), bar.top() + inset), QPointF(xOf(to), bar.bottom() - inset));
-  };
-  const QRectF within = span(-numbers.depthBehind, numbers.depthFront, 0);
-  painter.setOpacity(0.4);
-  painter.fillRect(within, t.good);
-  painter.setOpacity(1);
-  painter.setPen(QPen(t.good, 1.5));
-  painter.drawLine(within.topLeft(), within.bottomLeft());
-  painter.drawLine(within.topRight(), within.bottomRight());
-  painter.setPen(t.text3);
-  painter.drawLine(QPointF(bar.center().x(), bar.top()), QPointF(bar.center().x(), bar.bottom()));
-  painter.setFont(textFont(TextSize::caption));
-  for (const double depth : {-numbers.depthBehind, 0.0, numbers.depthFront})
-    painter.drawText(QRectF(xOf(depth) - scaled(24), scaled(22), scaled(48), scaled(18)),
-                     Qt::AlignCenter, depth == 0 ? "0" : inCentimetres(depth));
-  painter.setPen(Qt::NoPen);
-  painter.setBrush(t.text);
-  if (content)
-    painter.drawRoundedRect(span((*content)[0], (*content)[1], bar.height() / 2 - 3), 3, 3);
-}
-
 DesignNumbersWidget::DesignNumbersWidget(const SessionModel* model, QWidget* parent)
-    : QWidget(parent), m_model(model), m_bar(new DepthBar), m_legend(new QLabel) {
-  setObjectName("designNumbers");
-  auto* card = new QWidget;
-  card->setObjectName("designCard");
-  card->setAttribute(Qt::WA_StyledBackground);
-  auto* grid = new QGridLayout(card);
-  grid->setContentsMargins(1, 1, 1, 1);
-  grid->setSpacing(0);
-  grid->setColumnStretch(0, 12);
-  grid->setColumnStretch(1, 13);
-  const auto add = [&](int k, const char* name, const QString& help) {
-    QLabel* cell = m_cells[std::size_t(k)] = new QLabel;
-    cell->setObjectName(name);
-    cell->setToolTip(help);
-    cell->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
-    grid->addWidget(cell, k / 2, k % 2);
-  };
-  add(0, "hogelPitch", tr("The panel's size divided by the number of hogels"));
-  add(1, "hogelArcmin",
-      tr("The angle under which the eye sees a hogel: the pitch divided by the eye's distance from "
-         "the panel. A good eye resolves 1 arcmin"));
-  add(2, "degreesPerDirection",
-      tr("The angle of one direction in the middle of the field of view, as the hogel's lens "
-         "spreads them"));
-  add(3, "directionsPerPupil",
-      tr("How many directions enter a pupil of 4 mm: its diameter divided by the eye's distance "
-         "and the slope of one direction. Below 1 the eye focuses on the panel"));
-  add(4, "megapixels", tr("Hogels times directions, in millions of pixels"));
-  add(5, "sharpDepths",
-      tr("The depths behind (−) and in front (+) of the panel where the light of one direction "
-         "looks no wider than a hogel: pitch · distance / (slope of a direction · distance ± "
-         "pitch)"));
+    : QWidget(parent),
+      m_ui(std::make_unique<Ui::DesignNumbers>()),
+      m_model(model),
+      m_bar(new DepthBar) {
+  m_ui->setupUi(this);
+  m_ui->designCard->setAttribute(Qt::WA_StyledBackground);
   m_bar->setObjectName("depthBar");
   m_bar->setToolTip(
       tr("Depths behind (−) and in front (+) of the panel in cm, as far apart as the eye has to "
          "focus from one to the other"));
-  m_legend->setObjectName("depthLegend");
-  m_legend->setWordWrap(true);
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(scaled(12), scaled(4), scaled(12), scaled(4));
-  layout->setSpacing(scaled(4));
-  for (QWidget* part : {card, static_cast<QWidget*>(m_bar), static_cast<QWidget*>(m_legend)})
-    layout->addWidget(part);
-  for (const auto change :
-       {&SessionModel::opened, &SessionModel::currentChanged, &SessionModel::edited,
-        &SessionModel::statesChanged, &SessionModel::contentChanged})
-    connect(model, change, this, &DesignNumbersWidget::showNumbers);
+  m_ui->column->setContentsMargins(scaled(12), scaled(4), scaled(12), scaled(4));
+  m_ui->column->setSpacing(scaled(4));
+  m_ui->column->insertWidget(1, m_bar);
+  onAnyChange(model, this, &DesignNumbersWidget::showNumbers);
   showNumbers();
 }
+
+DesignNumbersWidget::~DesignNumbersWidget() = default;
 
 void DesignNumbersWidget::setSource(const std::optional<ViewSource>& source) {
   m_known = source ? DisplayParams(source->display) : DisplayParams();
@@ -179,9 +102,9 @@ void DesignNumbersWidget::showNumbers() {
   const DesignNumbers n = m_bar->numbers = numbers();
   m_bar->update();
   const std::array sharp{-n.depthBehind, n.depthFront};
-  const auto say = [&](std::size_t k, const QString& number, const QString& unit,
+  const auto say = [&](QLabel* cell, const QString& number, const QString& unit,
                        const QString& caption) {
-    m_cells[k]->setText(
+    cell->setText(
         QString("<span style='font-size: %1px; font-weight: 600'>%2</span><span style='font-size: "
                 "%3px; color: %4'> %5</span><br><span style='font-size: %3px; color: "
                 "%6'>%7</span>")
@@ -189,24 +112,20 @@ void DesignNumbersWidget::showNumbers() {
             .arg(number)
             .arg(textFont(TextSize::caption).pixelSize())
             .arg(t.text3.name(), unit, t.text2.name(), caption));
-    m_cells[k]->setAccessibleName(QString("%1 %2, %3").arg(number, unit, caption));
+    cell->setAccessibleName(QString("%1 %2, %3").arg(number, unit, caption));
   };
-  say(0, inDigits(n.hogelPitch, 1000), tr("mm"), tr("hogel pitch"));
-  say(1, inDigits(n.hogelArcmin), tr("arcmin"), tr("hogel pitch at the eye"));
-  say(2, inDigits(n.degreesPerDirection), "°", tr("each direction"));
-  say(3, inDigits(n.directionsPerPupil), "", tr("directions in the pupil"));
-  say(4, inDigits(n.megapixels), tr("Mpx"), tr("pixels behind lenses"));
-  say(5, n.depthFront > 0 ? inCentimetres(sharp) : "–", "", tr("sharp for this eye, cm"));
+  say(m_ui->sharpDepths, n.depthFront > 0 ? rangeText(sharp) : "–", "",
+      tr("sharp for this eye, cm"));
   QString legend = tr("<span style='color: %1'>■</span> sharp").arg(t.good.name());
   if (m_bar->content) {
     const auto [back, front] = *m_bar->content;
     legend += tr(" &nbsp; <span style='color: %1'>▬</span> content %2 cm")
-                  .arg(t.text.name(), inCentimetres(*m_bar->content));
+                  .arg(t.text.name(), rangeText(*m_bar->content));
     if (back >= sharp[0] && front <= sharp[1]) legend += tr(": all sharp");
   }
-  m_legend->setText(QString("<span style='font-size: %1px; color: %2'>%3</span>")
-                        .arg(textFont(TextSize::caption).pixelSize())
-                        .arg(t.text2.name(), legend));
+  m_ui->depthLegend->setText(QString("<span style='font-size: %1px; color: %2'>%3</span>")
+                                 .arg(textFont(TextSize::caption).pixelSize())
+                                 .arg(t.text2.name(), legend));
 }
 
 void DesignNumbersWidget::changeEvent(QEvent* event) {

@@ -4,13 +4,15 @@
 #pragma once
 
 #include <QWidget>
-#include <array>
+#include <memory>
 #include <optional>
 
 #include "core/panel/design_numbers.h"
 #include "gui/session/session_model.h"
 
-class QLabel;
+namespace Ui {
+class DesignNumbers;
+}
 
 namespace hogelscope {
 
@@ -20,6 +22,7 @@ struct ViewSource;
 class DesignNumbersWidget : public QWidget {
  public:
   explicit DesignNumbersWidget(const SessionModel* model, QWidget* parent = nullptr);
+  ~DesignNumbersWidget() override;
 
   /// Sets the current light field: its depths, and the hogels and directions of a display that
   /// leaves them out.
@@ -32,11 +35,10 @@ class DesignNumbersWidget : public QWidget {
   void showNumbers();
   [[nodiscard]] DesignNumbers numbers() const;
 
+  std::unique_ptr<Ui::DesignNumbers> m_ui;
   const SessionModel* m_model;
   DisplayParams m_known;  ///< the display of the light field
-  std::array<QLabel*, 6> m_cells{};
   DepthBar* m_bar;
-  QLabel* m_legend;
 };
 
 }  // namespace hogelscope

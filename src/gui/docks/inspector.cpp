@@ -1,17 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "gui/docks/inspector.h"
 
-#include <QHBoxLayout>
-#include <QLabel>
 #include <QPainter>
 #include <cmath>
 
 #include "core/base/error.h"
-#include "gui/docks/parameter_drawings.h"
 #include "gui/scene/scene_controller.h"
 #include "gui/view/image_widget.h"
 #include "picture/conversions.h"
 #include "picture/scene_text.h"
+#include "ui_inspector.h"
 
 namespace hogelscope {
 
@@ -34,53 +32,18 @@ QPixmap swatchOf(const PixelTrace& trace) {
   return swatch;
 }
 
-QLabel* textLabel(const char* name) {
-  auto* label = new QLabel;
-  label->setObjectName(name);
-  label->setWordWrap(true);
-  label->setTextInteractionFlags(Qt::TextSelectableByKeyboard | Qt::TextSelectableByMouse);
-  return label;
-}
-
-ImageWidget* imageWidget(const char* name, const QString& help) {
-  auto* image = new ImageWidget;
-  image->setObjectName(name);
-  image->setToolTip(help);
-  image->setMinimumHeight(130);
-  return image;
-}
-
 QPoint cellOf(double a, double b) {
   return {int(std::floor(a)), int(std::floor(b))};
 }
 
 }  // namespace
 
-Inspector::Inspector(QWidget* parent)
-    : QWidget(parent),
-      m_swatch(new QLabel),
-      m_verdict(textLabel("inspectorVerdict")),
-      m_neighbours(imageWidget("inspectorNeighbours", tr("The pixels around"))),
-      m_values(textLabel("inspectorValues")),
-      m_hogelTitle(textLabel("inspectorHogelTitle")),
-      m_hogel(imageWidget("inspectorHogel",
-                          tr("The hogel's picture, a pixel for each direction: in a frame the "
-                             "direction that is seen, dashed the window of its light leakage"))),
-      m_weights(new KernelWidget) {
-  m_weights->setObjectName("inspectorWeights");
-  m_weights->setMinimumHeight(190);  // so that numbers fit into 5 × 5 taps
-  auto* head = new QHBoxLayout;
-  head->addWidget(m_swatch, 0, Qt::AlignTop);
-  head->addWidget(m_verdict, 1);
-  auto* layout = new QVBoxLayout(this);
-  layout->addLayout(head);
-  for (QWidget* part : std::initializer_list<QWidget*>{m_neighbours, m_values, m_hogelTitle})
-    layout->addWidget(part);
-  layout->addWidget(m_hogel);
-  layout->addWidget(m_weights);
-  layout->addStretch();
+Inspector::Inspector(QWidget* parent) : QWidget(parent), m_ui(std::make_unique<Ui::Inspector>()) {
+  m_ui->setupUi(this);
   showNothing({});
 }
+
+Inspector::~Inspector() = default;
 
 void Inspector::follow(SceneController* scene, ImageWidget* picture) {
   m_scene = scene;
@@ -122,21 +85,22 @@ void Inspector::refresh() {
 }
 
 void Inspector::showNothing(const QString& hint) {
-  m_verdict->setText(hint);
-  for (QWidget* part : std::initializer_list<QWidget*>{m_swatch, m_neighbours, m_values,
-                                                       m_hogelTitle, m_hogel, m_weights})
+  m_ui->inspectorVerdict->setText(hint);
+  for (QWidget* part : std::initializer_list<QWidget*>{
+           m_ui->inspectorSwatch, m_ui->inspectorNeighbours, m_ui->inspectorValues,
+           m_ui->inspectorHogelTitle, m_ui->inspectorHogel, m_ui->inspectorWeights})
     part->hide();
 }
 
 void Inspector::showPixel(const RenderJob& job, const QPoint& pixel) {
   const PixelTrace trace = pixelTrace(job, pixel.x(), pixel.y());
   showNothing(SceneText::verdict(trace, job.display));
-  m_swatch->setPixmap(swatchOf(trace));
-  m_swatch->show();
+  m_ui->inspectorSwatch->setPixmap(swatchOf(trace));
+  m_ui->inspectorSwatch->show();
   showNeighbours(pixel);
-  m_values->setText(SceneText::pixel(pixel.x(), pixel.y(), trace) + valuesAt(pixel) +
-                    SceneText::ray(trace));
-  m_values->show();
+  m_ui->inspectorValues->setText(SceneText::pixel(pixel.x(), pixel.y(), trace) + valuesAt(pixel) +
+                                 SceneText::ray(trace));
+  m_ui->inspectorValues->show();
   if (trace.end != RayEnd::seen && trace.end != RayEnd::outsideField) return;
   showPictureOf(job, cellOf(trace.place->i, trace.place->j));
   if (trace.end == RayEnd::seen) showDirection(job, *trace.place);
@@ -149,12 +113,12 @@ void Inspector::showHogel(const RenderJob& job, const QPoint& hogel) {
 
 void Inspector::showNeighbours(const QPoint& pixel) {
   constexpr double zoom = 12;
-  m_neighbours->setImages(m_picture->image(), m_picture->otherImage());
-  m_neighbours->setNotice(m_picture->notice());
-  m_neighbours->setViewport(
+  m_ui->inspectorNeighbours->setImages(m_picture->image(), m_picture->otherImage());
+  m_ui->inspectorNeighbours->setNotice(m_picture->notice());
+  m_ui->inspectorNeighbours->setViewport(
       {false, zoom * devicePixelRatioF(), QPointF(pixel) + QPointF(0.5, 0.5)});
-  m_neighbours->markPixels(QRect(pixel, QSize(1, 1)));
-  m_neighbours->show();
+  m_ui->inspectorNeighbours->markPixels(QRect(pixel, QSize(1, 1)));
+  m_ui->inspectorNeighbours->show();
 }
 
 /// Returns the displayed code values of both images; empty for a single image.
@@ -171,10 +135,10 @@ QString Inspector::valuesAt(const QPoint& pixel) const {
 
 void Inspector::showPictureOf(const RenderJob& job, const QPoint& hogel) {
   const Image image = hogelImage(*job.lightField, hogel.x(), hogel.y());
-  m_hogel->setImages(toQImage(image));
-  m_hogel->markPixels({});
-  m_hogel->setRegion({});
-  m_hogel->show();
+  m_ui->inspectorHogel->setImages(toQImage(image));
+  m_ui->inspectorHogel->markPixels({});
+  m_ui->inspectorHogel->setRegion({});
+  m_ui->inspectorHogel->show();
   const auto [du, dv] = job.display.directions;
   QString title = tr("Hogel %1, %2").arg(hogel.x()).arg(hogel.y());
   if (image.width != du || image.height != dv)
@@ -183,27 +147,28 @@ void Inspector::showPictureOf(const RenderJob& job, const QPoint& hogel) {
                  .arg(image.height)
                  .arg(du)
                  .arg(dv);
-  m_hogelTitle->setText(title);
-  m_hogelTitle->show();
+  m_ui->inspectorHogelTitle->setText(title);
+  m_ui->inspectorHogelTitle->show();
 }
 
 /// Marks the direction in the hogel's image, which may have fewer directions.
 void Inspector::showDirection(const RenderJob& job, const Hit& place) {
   const QSize directions(job.display.directions[0], job.display.directions[1]);
   const QPoint seen = cellOf(place.u, place.v);
-  const QSize size = m_hogel->image().size();
+  const QSize size = m_ui->inspectorHogel->image().size();
   const auto inPicture = [&](const QPoint& at) {
     return QPoint(at.x() * size.width() / directions.width(),
                   at.y() * size.height() / directions.height());
   };
-  m_hogel->markPixels(QRect(inPicture(seen), QSize(1, 1)));
+  m_ui->inspectorHogel->markPixels(QRect(inPicture(seen), QSize(1, 1)));
   const PsfParams& psf = job.state.psf;
   if (psf.windowSize == 1) return;
   const QPoint reach(psf.windowSize / 2, psf.windowSize / 2);
   const QRect window = QRect(seen - reach, seen + reach) & QRect(QPoint(), directions);
-  m_hogel->setRegion({inPicture(window.topLeft()), inPicture(window.bottomRight())});
-  m_weights->setWeights(psf, psfKernelAt(psf, job.lightField->size(), seen.x(), seen.y()));
-  m_weights->show();
+  m_ui->inspectorHogel->setRegion({inPicture(window.topLeft()), inPicture(window.bottomRight())});
+  m_ui->inspectorWeights->setWeights(psf,
+                                     psfKernelAt(psf, job.lightField->size(), seen.x(), seen.y()));
+  m_ui->inspectorWeights->show();
 }
 
 }  // namespace hogelscope

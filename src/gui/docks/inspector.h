@@ -4,16 +4,18 @@
 
 #include <QPointer>
 #include <QWidget>
+#include <memory>
 #include <optional>
 
 #include "core/optics/pixel_inspection.h"
 
-class QLabel;
+namespace Ui {
+class Inspector;
+}
 
 namespace hogelscope {
 
 class ImageWidget;
-class KernelWidget;
 class SceneController;
 
 class Inspector : public QWidget {
@@ -21,6 +23,7 @@ class Inspector : public QWidget {
 
  public:
   explicit Inspector(QWidget* parent = nullptr);
+  ~Inspector() override;
 
   /// Follows the pointer over `picture`; shows what is picked in `scene` otherwise.
   void follow(SceneController* scene, ImageWidget* picture);
@@ -39,16 +42,10 @@ class Inspector : public QWidget {
   void showDirection(const RenderJob& job, const Hit& place);
   [[nodiscard]] QString valuesAt(const QPoint& pixel) const;
 
+  std::unique_ptr<Ui::Inspector> m_ui;
   QPointer<SceneController> m_scene;
   QPointer<ImageWidget> m_picture;
   std::optional<QPoint> m_pointed;
-  QLabel* m_swatch;
-  QLabel* m_verdict;
-  ImageWidget* m_neighbours;
-  QLabel* m_values;
-  QLabel* m_hogelTitle;
-  ImageWidget* m_hogel;
-  KernelWidget* m_weights;
 };
 
 }  // namespace hogelscope

@@ -13,32 +13,10 @@
 #include "gui/widgets/task.h"
 #include "io/documents/light_field_params.h"
 #include "io/opening/session_around.h"
-#include "io/plugins/plugin_library.h"
 #include "io/scene/live_file.h"
 #include "io/scene/view_source.h"
 
 namespace hogelscope {
-
-namespace {
-
-/// Returns an edited light field with the default fields of a new layout or source. Throws
-/// InputError if there is no such source.
-LightFieldParams completed(const LightFieldParams& before, LightFieldParams after) {
-  if (after.layout != before.layout && after.isLive()) {
-    after = {};
-    after.layout = Layout::live;
-    after.source = "scene";
-  } else if (!after.isLive() && before.isLive()) {
-    const Layout layout = after.layout;
-    after = {};
-    after.layout = layout;
-  }
-  if (after.source != before.source)
-    after.content = after.source.empty() ? ContentParams() : contentParamsOf(after.source);
-  return after;
-}
-
-}  // namespace
 
 LightFieldDock::LightFieldDock(SessionModel* model, QWidget* parent)
     : QWidget(parent), m_model(model), m_contents(new QLabel), m_task(new Task(this)) {
@@ -79,7 +57,7 @@ LightFieldDock::LightFieldDock(SessionModel* model, QWidget* parent)
 
 /// Creates a form for the light field or a part of it.
 ParameterForm* LightFieldDock::form(void (*visit)(ParameterVisitor&, LightFieldParams&)) {
-  return checkedForm<LightFieldParams>(m_model, &Session::lightField, visit, &completed,
+  return checkedForm<LightFieldParams>(m_model, &Session::lightField, visit, &withDefaults,
                                        [this](const QString& why) { Q_EMIT failed(why); });
 }
 

@@ -18,24 +18,6 @@
 
 namespace hogelscope {
 
-namespace {
-
-/// Returns an edited display with its plugin's parameters. Throws InputError if there is no such
-/// plugin or its lens cannot be opened.
-DisplayParams completed(const DisplayParams& before, DisplayParams after) {
-  if (after.lens != HogelLensModel::plugin) {
-    after.lensSource.clear();
-    after.lensParams = {};
-    return after;
-  }
-  if (after.lens != before.lens) after.lensSource = "measured-lens";
-  if (after.lensSource != before.lensSource) after.lensParams = lensParamsOf(after.lensSource);
-  for (const std::size_t axis : {0, 1}) (void)lensOf(after, axis);
-  return after;
-}
-
-}  // namespace
-
 DisplayDock::DisplayDock(SessionModel* model, QWidget* parent) : QWidget(parent), m_model(model) {
   auto* panel = form([](ParameterVisitor& v, DisplayParams& p) { describe(v, p); });
   auto* lens = form([](ParameterVisitor& v, DisplayParams& p) {
@@ -61,7 +43,7 @@ DisplayDock::DisplayDock(SessionModel* model, QWidget* parent) : QWidget(parent)
 ParameterForm* DisplayDock::form(void (*visit)(ParameterVisitor&, DisplayParams&)) {
   const auto complete = [this](const DisplayParams& before, DisplayParams after) {
     if (after.hogels != before.hogels && !m_lock->isChecked()) holdPitch(before, after);
-    return completed(before, std::move(after));
+    return withLensParams(before, std::move(after));
   };
   return checkedForm<DisplayParams>(m_model, &Session::display, visit, complete,
                                     [this](const QString& why) { Q_EMIT failed(why); });
@@ -132,10 +114,7 @@ DistortionDock::DistortionDock(SessionModel* model, QAction* importAction, QWidg
   layout->addLayout(buttons);
   layout->addWidget(m_certificate);
   layout->addWidget(m_lens, 1);
-  for (const auto change :
-       {&SessionModel::opened, &SessionModel::currentChanged, &SessionModel::edited,
-        &SessionModel::statesChanged, &SessionModel::contentChanged})
-    connect(model, change, this, &DistortionDock::noteEdits);
+  onAnyChange(model, this, &DistortionDock::noteEdits);
 }
 
 void DistortionDock::showLens(const CertifiedLens& lens) {

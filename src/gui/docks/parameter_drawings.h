@@ -1,15 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Drawings of parameters: a lens by the straight lines of the world in the image, the fold and the
-// area without rays; the light leakage by the taps of its window, with their weights, and the
-// sigma of the Gaussian.
+// Drawings of parameters: a lens (chart/lens_drawing) and the light leakage (chart/kernel_drawing).
 #pragma once
 
 #include <QWidget>
 
 #include "core/lens/lens_grid.h"
 #include "core/optics/psf.h"
-
-class QPainterPath;
 
 namespace hogelscope {
 
@@ -30,18 +26,11 @@ class LensWidget : public QWidget {
   void paintEvent(QPaintEvent* event) override;
 
  private:
-  void paint(QPainter& painter, const QSizeF& size) const;
-  [[nodiscard]] QTransform fromImage(const QSizeF& size) const;
-  [[nodiscard]] QRectF border() const;
-  [[nodiscard]] QPainterPath foldPath() const;
-  void paintLines(QPainter& painter, const QTransform& transform) const;
-  void paintFold(QPainter& painter, const QTransform& transform) const;
-
   LensGrid m_grid;
   PlotSaver* m_saver;
 };
 
-/// A drawing of the light leakage: the window's taps with their weights, and the Gaussian's sigma.
+/// Draws the light leakage. A tooltip tells the weight of a tap.
 class KernelWidget : public QWidget {
   Q_OBJECT
 
@@ -63,12 +52,6 @@ class KernelWidget : public QWidget {
   bool event(QEvent* event) override;
 
  private:
-  [[nodiscard]] QRectF cell(const QRectF& square, int k) const;
-  void paint(QPainter& painter, const QSizeF& size) const;
-  void paintCells(QPainter& painter, const QRectF& square) const;
-  void paintNumbers(QPainter& painter, const QRectF& square) const;
-  void paintSigma(QPainter& painter, const QRectF& square) const;
-
   PsfParams m_params;
   std::vector<double> m_weights;
 };

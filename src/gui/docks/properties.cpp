@@ -92,10 +92,7 @@ Properties::Properties(SessionModel* model, QAction* importAction, QMainWindow* 
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->addWidget(m_area);
-  for (const auto change :
-       {&SessionModel::opened, &SessionModel::currentChanged, &SessionModel::edited,
-        &SessionModel::statesChanged, &SessionModel::contentChanged})
-    connect(model, change, this, &Properties::showSummaries);
+  onAnyChange(model, this, &Properties::showSummaries);
 }
 
 Section* Properties::add(const char* name, const QString& title, QWidget* content,

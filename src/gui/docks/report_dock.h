@@ -5,18 +5,16 @@
 
 #include <QElapsedTimer>
 #include <QWidget>
+#include <memory>
 
 #include "gui/docks/report_results.h"
-#include "report/report_reader.h"
 #include "report/report_run.h"
 
-class QHBoxLayout;
-class QLabel;
-class QLineEdit;
-class QListWidget;
 class QMenu;
-class QPushButton;
-class QToolButton;
+
+namespace Ui {
+class ReportDock;
+}
 
 namespace hogelscope {
 
@@ -30,6 +28,7 @@ class ReportDock : public QWidget {
 
  public:
   explicit ReportDock(QWidget* parent = nullptr);
+  ~ReportDock() override;
 
   /// Adds the commands of the dock to two menus.
   void setModel(SessionModel* model, QMenu* fileMenu, QMenu* statesMenu);
@@ -55,10 +54,8 @@ class ReportDock : public QWidget {
   void changeEvent(QEvent* event) override;
 
  private:
-  QWidget* makeTools();
-  QWidget* makeSettings();
-  QWidget* makeTables();
-  void connectAll();
+  void connectTools();
+  void connectTables();
   void forget();
   void noteEdits();
   void showOffer();
@@ -68,8 +65,7 @@ class ReportDock : public QWidget {
   void stop();
   void showIdle();
   void finish(const Report& report, const std::vector<std::optional<double>>& rates);
-  void showRead(const StoredReport& stored, const ReportData& empty,
-                const std::vector<std::optional<double>>& rates);
+  void showRead(const ReportData& read);
   void sizeColumns();
   void showAll();
   void showRow(std::size_t index, const ReportRow& row);
@@ -83,36 +79,20 @@ class ReportDock : public QWidget {
   void compare();
   void emitPsnr();
   [[nodiscard]] std::optional<std::size_t> chosenState() const;
-  /// Returns the index of a row's state in the session, which may not have it.
-  [[nodiscard]] std::optional<std::size_t> inSession(std::size_t state) const;
 
   SessionModel* m_model = nullptr;
   std::optional<ViewSource> m_reference;
   ReportData m_data;
   std::size_t m_test = 0;  ///< the chosen test
   bool m_follows = false;  ///< the row selection follows the current state
+  std::unique_ptr<Ui::ReportDock> m_ui;
   Task* m_task;
   TestTable* m_testTable;
   StateTable* m_stateTable;
-  StateFilter* m_sorted;
+  FilteredRows* m_sorted;
   ReportPlots* m_plots;
-  QHBoxLayout* m_tools = nullptr;
-  QListWidget* m_testList;
-  QLineEdit* m_folder;
   QString m_offered;
-  QPushButton* m_addOffered;
-  QPushButton* m_makeButton;
-  QToolButton* m_testsButton = nullptr;
-  QToolButton* m_pageButton = nullptr;
-  QToolButton* m_openButton = nullptr;
-  QToolButton* m_worstButton = nullptr;
-  QToolButton* m_bestButton = nullptr;
   PolledBar* m_progress;
-  QLabel* m_note;
-  QLabel* m_stale;  ///< shown while the session differs from that of the rows
-  QLabel* m_heading;
-  CopyTable* m_tests;
-  CopyTable* m_rows;
   QElapsedTimer m_clock;
 };
 

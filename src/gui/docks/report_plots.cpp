@@ -1,13 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "gui/docks/report_plots.h"
 
-#include <QComboBox>
-#include <QLabel>
 #include <QMouseEvent>
 #include <QPainter>
-#include <QSplitter>
-#include <QToolButton>
-#include <QVBoxLayout>
 #include <utility>
 
 #include "chart/plot_painting.h"
@@ -16,17 +11,17 @@
 #include "gui/docks/plot_saver.h"
 #include "report/page/report_plots.h"
 #include "report/report_files.h"
+#include "ui_report_plots.h"
 
 namespace hogelscope {
 
-ReportPlotView::ReportPlotView(const QString& name, const QString& help)
-    : m_saver(new PlotSaver(this, tr("Report"), {640, 400},
+ReportPlotView::ReportPlotView(QWidget* parent)
+    : QWidget(parent),
+      m_saver(new PlotSaver(this, tr("Report"), {640, 400},
                             [this](QPainter& painter, const QSizeF& size) {
                               paintPlot(painter, size, m_plot, printColours(), m_selected);
                             })) {
-  setObjectName(name);
   setMinimumSize(160, 100);
-  setToolTip(help);
 }
 
 void ReportPlotView::setPlot(Plot plot) {
@@ -75,104 +70,56 @@ void ReportPlotView::mousePressEvent(QMouseEvent* event) {
 }
 
 ReportPlots::ReportPlots(const ReportData& report)
-    : m_data(report),
-      m_means(new ReportPlotView("reportMeans", tr("A click on a point chooses its test"))),
-      m_map(new ReportPlotView("reportMap", tr("A click on an eye chooses its state"))),
-      m_kind(new QComboBox),
-      m_view(new ReportPlotView("reportPlot", tr("A click on a point chooses its row"))) {
-  m_kind->setObjectName("reportPlotKind");
-  m_kind->addItems({tr("PSNR over leakage window"), tr("PSNR over the states"),
-                    tr("PSNR over the viewing angle"), tr("Error over the panel's hogels"),
-                    tr("Error over their directions")});
-  m_kind->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-  m_kind->setToolTip(tr("The errors on the panel are there when the report is finished"));
-  auto* kinds = new QWidget;
-  auto* column = new QVBoxLayout(kinds);
-  column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(0);
-  column->addWidget(m_kind);
-  column->addWidget(m_view, 1);
-  auto* below = new QSplitter;
-  below->addWidget(m_map);
-  below->addWidget(kinds);
-  below->setSizes({280, 280});
-  auto* parts = new QSplitter(Qt::Vertical);
-  parts->addWidget(m_means);
-  parts->addWidget(below);
-  parts->addWidget(makePictures());
-  parts->setSizes({300, 280, 220});
-  parts->setChildrenCollapsible(false);
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->addWidget(parts);
-  connect(m_kind, &QComboBox::currentIndexChanged, this, &ReportPlots::showKind);
-  connect(m_means, &ReportPlotView::clicked, this, &ReportPlots::testClicked);
-  connect(m_map, &ReportPlotView::clicked, this, &ReportPlots::rowClicked);
-  connect(m_view, &ReportPlotView::clicked, this, &ReportPlots::rowClicked);
+    : m_data(report), m_ui(std::make_unique<Ui::ReportPlots>()) {
+  m_ui->setupUi(this);
+  constexpr int least = 200;
+  m_ui->pictures->setMinimumHeight(scaled(least));
+  m_ui->plotsBelow->setSizes({280, 280});
+  m_ui->plots->setSizes({300, 280, 220});
+  m_ui->compareStateButton->setIcon(icon("external"));
+  m_images = {m_ui->reportReference, m_ui->reportTest, m_ui->reportDifference};
+  connect(m_ui->compareStateButton, &QToolButton::clicked, this, &ReportPlots::compareAsked);
+  connect(m_ui->reportPlotKind, &QComboBox::currentIndexChanged, this, &ReportPlots::showKind);
+  connect(m_ui->reportMeans, &ReportPlotView::clicked, this, &ReportPlots::testClicked);
+  connect(m_ui->reportMap, &ReportPlotView::clicked, this, &ReportPlots::rowClicked);
+  connect(m_ui->reportPlot, &ReportPlotView::clicked, this, &ReportPlots::rowClicked);
 }
 
-QWidget* ReportPlots::makePictures() {
-  m_pictures = new QWidget;
-  m_title = new QLabel;
-  m_title->setObjectName("reportPicturesTitle");
-  auto* compare = new QToolButton;
-  compare->setObjectName("compareStateButton");
-  compare->setText(tr("Compare in the view"));
-  compare->setToolTip(tr("Compares the state of the chosen row with its test in the view"));
-  compare->setIcon(icon("external"));
-  compare->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-  connect(compare, &QToolButton::clicked, this, &ReportPlots::compareAsked);
-  auto* head = new QHBoxLayout;
-  head->addWidget(m_title, 1);
-  head->addWidget(compare);
-  auto* row = new QHBoxLayout;
-  for (const auto& [name, help] :
-       {std::pair("reportReference", tr("The reference")), std::pair("reportTest", tr("The test")),
-        std::pair("reportDifference", tr("Their difference, amplified as on the page"))}) {
-    m_images.push_back(new ReportPlotView(name, help));
-    row->addWidget(m_images.back());
-  }
-  constexpr int least = 200;
-  m_pictures->setMinimumHeight(scaled(least));
-  auto* layout = new QVBoxLayout(m_pictures);
-  layout->addLayout(head);
-  layout->addLayout(row, 1);
-  m_pictures->hide();
-  return m_pictures;
-}
+ReportPlots::~ReportPlots() = default;
 
 void ReportPlots::showTest(std::size_t test, std::optional<std::size_t> state) {
   m_test = test;
   m_row = state ? std::optional(m_data.order().row(*state, test)) : std::nullopt;
   const bool hasRows = !m_data.rows.empty();
-  m_means->setPlot(m_data.summaries.empty() ? Plot() : meanPlot(m_data.plotted, m_data.summaries));
-  m_means->select(test);
-  m_map->setPlot(hasRows ? eyeMap(m_data.rows, test, m_data.tests.size(), m_data.session.display)
-                         : Plot());
-  m_map->select(m_row);
+  m_ui->reportMeans->setPlot(m_data.summaries.empty() ? Plot()
+                                                      : meanPlot(m_data.plotted, m_data.summaries));
+  m_ui->reportMeans->select(test);
+  m_ui->reportMap->setPlot(
+      hasRows ? eyeMap(m_data.rows, test, m_data.tests.size(), m_data.session.display) : Plot());
+  m_ui->reportMap->select(m_row);
   showKind();
   showPictures();
 }
 
 void ReportPlots::showKind() {
-  const int kind = m_kind->currentIndex();
-  m_view->setPicture({});
-  m_view->select(m_row);
-  if (m_data.rows.empty()) return m_view->setPlot({});
+  const int kind = m_ui->reportPlotKind->currentIndex();
+  m_ui->reportPlot->setPicture({});
+  m_ui->reportPlot->select(m_row);
+  if (m_data.rows.empty()) return m_ui->reportPlot->setPlot({});
   if (kind == overHogels || kind == overDirections) return showPanel();
   if (kind == overWindow)
-    return m_view->setPlot(
+    return m_ui->reportPlot->setPlot(
         windowPlot(m_data.rows, m_test, m_data.tests.size(), m_data.session.cameras));
   Plot plot = psnrPlot(m_data.rows, m_data.session.display, kind == overAngle);
   for (std::size_t k = 0; k < plot.series.size(); ++k) plot.series[k].name = m_data.plotted[k].name;
-  m_view->setPlot(plot);
+  m_ui->reportPlot->setPlot(plot);
 }
 
 /// Shows the report's image of the panel for the test, once its files are complete.
 void ReportPlots::showPanel() {
-  m_view->setPlot({});
+  m_ui->reportPlot->setPlot({});
   if (m_data.summaries.empty()) return;
-  const bool isOfHogels = m_kind->currentIndex() == overHogels;
+  const bool isOfHogels = m_ui->reportPlotKind->currentIndex() == overHogels;
   const char* name = isOfHogels ? "hogels.png" : "directions.png";
   QString most = tr("most");
   if (m_test < m_data.panels.size()) {
@@ -180,7 +127,7 @@ void ReportPlots::showPanel() {
     most = tr("MSE %1").arg(QString::fromStdString(
         rounded(isOfHogels ? figures.hogelScale : figures.directionScale, 1)));
   }
-  m_view->setPicture(
+  m_ui->reportPlot->setPicture(
       QPixmap(QString::fromStdString(panelFile(m_data.folder, m_test, name).string())), most);
 }
 
@@ -190,11 +137,12 @@ void ReportPlots::showPictures() {
   const auto files = isFinished ? picturesOf(m_data.folder, m_data.rows, m_data.order(), *m_row)
                                 : std::vector<std::filesystem::path>();
   constexpr int least = 480;
-  m_pictures->setVisible(!files.empty() && height() >= scaled(least));
+  m_ui->pictures->setVisible(!files.empty() && height() >= scaled(least));
   if (files.empty()) return;
   const ReportRow& row = m_data.rows[*m_row];
-  m_title->setText(QString::fromStdString(row.state + "   " + rounded(m_data.psnr(*m_row), 2) +
-                                          " dB · SSIM " + rounded(row.values[ssimSeenColumn], 3)));
+  m_ui->reportPicturesTitle->setText(
+      QString::fromStdString(row.state + "   " + rounded(m_data.psnr(*m_row), 2) + " dB · SSIM " +
+                             rounded(row.values[ssimSeenColumn], 3)));
   for (std::size_t k = 0; k < m_images.size(); ++k) {
     m_images[k]->setVisible(k < files.size());
     if (k < files.size())

@@ -4,13 +4,16 @@
 
 #include <QPixmap>
 #include <QWidget>
+#include <array>
+#include <memory>
 #include <optional>
 
 #include "gui/docks/report_results.h"
 #include "page/plot.h"
 
-class QComboBox;
-class QLabel;
+namespace Ui {
+class ReportPlots;
+}
 
 namespace hogelscope {
 
@@ -21,7 +24,7 @@ class ReportPlotView : public QWidget {
   Q_OBJECT
 
  public:
-  ReportPlotView(const QString& name, const QString& help);
+  explicit ReportPlotView(QWidget* parent);
   void setPlot(Plot plot);
   /// Shows an image of the panel in place of the chart; null: the chart. `most` is the value at the
   /// end of its colours; "": it is no map.
@@ -50,6 +53,7 @@ class ReportPlots : public QWidget {
 
  public:
   explicit ReportPlots(const ReportData& report);
+  ~ReportPlots() override;
 
   /// Shows the plots of a test and, if it is among its states, a state.
   void showTest(std::size_t test, std::optional<std::size_t> state);
@@ -64,7 +68,6 @@ class ReportPlots : public QWidget {
 
  private:
   enum Kind { overWindow, overStates, overAngle, overHogels, overDirections };
-  QWidget* makePictures();
   void showKind();
   void showPanel();
   void showPictures();
@@ -72,13 +75,8 @@ class ReportPlots : public QWidget {
   const ReportData& m_data;
   std::size_t m_test = 0;
   std::optional<std::size_t> m_row;
-  ReportPlotView* m_means;
-  ReportPlotView* m_map;
-  QComboBox* m_kind;
-  ReportPlotView* m_view;
-  QWidget* m_pictures;
-  QLabel* m_title;
-  std::vector<ReportPlotView*> m_images;
+  std::unique_ptr<Ui::ReportPlots> m_ui;
+  std::array<ReportPlotView*, 3> m_images{};  ///< reference, test, difference
 };
 
 }  // namespace hogelscope

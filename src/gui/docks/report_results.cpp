@@ -10,17 +10,17 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <utility>
 
 #include "chart/plot_painting.h"
 #include "core/base/colour_map.h"
 #include "core/base/text.h"
-#include "gui/widgets/colours.h"
+#include "gui/docks/chart_colours.h"
 
 namespace hogelscope {
 
 namespace {
 
-constexpr const char* notYet = "not compared yet";
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
 QString text(const std::string& utf8) {
@@ -44,29 +44,32 @@ QStandardItem* nameCell(const QString& shown, const QString& help) {
   return item;
 }
 
-QStandardItem* metricCell(const ReportData& data, const ReportRow& row, std::size_t column) {
-  if (row.problem == notYet) return numberCell({}, unknown);
-  const double value = row.problem.empty() ? row.values[column] : unknown;
+QStandardItem* metricCell(const ReportData& data, std::size_t row, std::size_t column) {
+  if (data.isAwaited(row)) return numberCell({}, unknown);
+  const ReportRow& own = data.rows[row];
+  const double value = own.problem.empty() ? own.values[column] : unknown;
   return numberCell(text(tableText(data.metrics.columns()[column], value)), value);
 }
 
-void setHeader(QStandardItemModel& model, int column, const QString& title, const QString& help) {
-  auto* item = new QStandardItem(title);
-  item->setToolTip(help);
-  item->setTextAlignment((column == 0 ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter);
-  model.setHorizontalHeaderItem(column, item);
+/// Sets titles of columns and their tooltips.
+void setHeadings(QStandardItemModel& model,
+                 const std::vector<std::pair<QString, QString>>& headings) {
+  model.setRowCount(0);
+  model.setColumnCount(int(headings.size()));
+  for (int column = 0; const auto& [title, help] : headings) {
+    auto* item = new QStandardItem(title);
+    item->setToolTip(help);
+    item->setTextAlignment((column == 0 ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter);
+    model.setHorizontalHeaderItem(column++, item);
+  }
 }
 
-/// Returns the range of the finite PSNRs of a test, or of all, with bars from 0 to 1.
-Axis rangeOf(const ReportData& data, std::size_t first, std::size_t step) {
-  constexpr double infinite = std::numeric_limits<double>::infinity();
-  Axis range{infinite, -infinite, 0, 1};
-  for (std::size_t row = first; row < data.rows.size(); row += step)
-    if (const double psnr = data.psnr(row); std::isfinite(psnr)) {
-      range.low = std::min(range.low, psnr);
-      range.high = std::max(range.high, psnr);
-    }
-  return range;
+/// Returns the metrics of plugins that the window shows.
+std::vector<std::size_t> moreColumns(const MetricSet& metrics) {
+  std::vector<std::size_t> more;
+  for (std::size_t k = mseOfBitsColumn + 1; k < metrics.columns().size(); ++k)
+    if (metrics.columns()[k].where == MetricColumn::Where::window) more.push_back(k);
+  return more;
 }
 
 double shareOf(const Axis& range, double value) {
@@ -75,16 +78,12 @@ double shareOf(const Axis& range, double value) {
 
 QPixmap markOf(std::size_t series) {
   constexpr int side = 12, sharpness = 3;
-  QPixmap pixmap(sharpness * scaled(side), sharpness * scaled(side));
-  pixmap.setDevicePixelRatio(sharpness);
-  pixmap.fill(Qt::transparent);
-  QPainter painter(&pixmap);
-  painter.setRenderHint(QPainter::Antialiasing);
-  painter.setPen(Qt::NoPen);
-  painter.setBrush(tokens().series.at(series % tokens().series.size()));
-  const double half = scaled(side) / 2.0;
-  paintMark(painter, {half, half}, 0.6 * half, series);
-  return pixmap;
+  return pixmapOf(scaled(side), sharpness, [series](QPainter& painter, const QSizeF& size) {
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(tokens().series.at(series % tokens().series.size()));
+    const double half = size.width() / 2;
+    paintMark(painter, {half, half}, 0.6 * half, series);
+  });
 }
 
 /// Returns a link to a state, such as "Fig 5  25.9".
@@ -119,64 +118,15 @@ QStandardItem* settingCell(double own, double usual) {
 
 }  // namespace
 
-QStringList shortNames(const std::vector<std::string>& files) {
-  std::vector<QStringList> paths;
-  for (const std::string& file : files) paths.push_back(text(file).split('/', Qt::SkipEmptyParts));
-  QStringList names;
-  for (const QStringList& path : paths) {
-    qsizetype parts = 1;
-    const auto isShared = [&](const QStringList& other) {
-      return other != path && other.mid(other.size() - parts) == path.mid(path.size() - parts);
-    };
-    while (parts < path.size() && std::ranges::any_of(paths, isShared)) ++parts;
-    const QStringList tail = path.mid(path.size() - parts);
-    names << (parts < 3 ? tail.join('/') : tail.first() + "/…/" + tail.last());
-  }
-  return names;
-}
-
-void ReportData::begin() {
-  const QStringList names = shortNames(tests);
-  plotted.clear();
-  for (const QString& name : names) {
-    const qsizetype dot = name.lastIndexOf('.');
-    QString curve = dot > 0 ? name.mid(dot + 1) : name;
-    while (dot <= 0 && !curve.isEmpty() && !curve.back().isLetter()) curve.chop(1);
-    plotted.push_back({name.toStdString(), curve.toStdString(), unknown});
-  }
-  rows.clear();
-  for (const CameraState& state : session.cameras)
-    for (const std::string& test : tests)
-      rows.push_back({state.camera.name, test, metrics.noValues(), state.camera.eye, 1, notYet});
-}
-
-double ReportData::psnr(std::size_t row) const {
-  return rows[row].problem.empty() ? rows[row].values[psnrSeenColumn] : unknown;
-}
-
-std::optional<std::size_t> ReportData::extreme(std::size_t test, bool isBest) const {
-  std::optional<std::size_t> found;
-  for (std::size_t row = test; row < rows.size(); row += tests.size()) {
-    if (std::isnan(psnr(row))) continue;
-    const double least = found ? psnr(order().row(*found, test)) : psnr(row);
-    if (!found || (isBest ? psnr(row) > least : psnr(row) < least)) found = order().state(row);
-  }
-  return found;
-}
-
 void TestTable::fill(const ReportData& data) {
-  setRowCount(0);
-  const QStringList titles{
-      tr("Test"), tr("bits/px"), tr("PSNR, dB"), tr("worst – mean, 95 % – best"),
-      tr("SSIM"), tr("Worst"),   tr("Best")};
-  const QStringList help{tr("The test light field"),
-                         tr("Bits of its files per directional pixel"),
-                         tr("Mean of the finite PSNRs over what is seen"),
-                         tr("From the worst to the best PSNR, with the mean and its 95 % interval"),
-                         tr("Mean over what is seen"),
-                         tr("The state with the lowest PSNR"),
-                         tr("The state with the highest PSNR")};
-  for (int k = 0; k < titles.size(); ++k) setHeader(*this, k, titles[k], help[k]);
+  setHeadings(*this, {{tr("Test"), tr("The test light field")},
+                      {tr("bits/px"), tr("Bits of its files per directional pixel")},
+                      {tr("PSNR, dB"), tr("Mean of the finite PSNRs over what is seen")},
+                      {tr("worst – mean, 95 % – best"),
+                       tr("From the worst to the best PSNR, with the mean and its 95 % interval")},
+                      {tr("SSIM"), tr("Mean over what is seen")},
+                      {tr("Worst"), tr("The state with the lowest PSNR")},
+                      {tr("Best"), tr("The state with the highest PSNR")}});
   for (std::size_t test = 0; test < data.tests.size(); ++test) fill(data, test);
 }
 
@@ -184,10 +134,7 @@ void TestTable::fill(const ReportData& data, std::size_t test) {
   const int row = int(test);
   const PlottedTest& plotted = data.plotted[test];
   const std::vector<std::string> curves = curvesOf(data.plotted);
-  std::vector<ReportRow> own;
-  for (std::size_t k = test; k < data.rows.size(); k += data.tests.size())
-    own.push_back(data.rows[k]);
-  const ReportSummary summary = summariseRows(own, data.metrics);
+  const ReportSummary summary = data.summaryOf(test);
   const double mean = summary.means[meanPsnrSeen];
   const double similarity = summary.means[meanSsimSeen];
   auto* title = nameCell(text(plotted.name), text(data.tests[test]));
@@ -202,8 +149,8 @@ void TestTable::fill(const ReportData& data, std::size_t test) {
   setItem(row, best, linkCell(data, test, true));
   auto* span = numberCell({}, mean);
   if (!std::isnan(mean)) {
-    const Axis all = rangeOf(data, 0, 1);
-    const Axis range = rangeOf(data, test, data.tests.size());
+    const Axis all = data.range();
+    const Axis range = data.range(test);
     const Interval interval = data.summaries.empty() ? Interval{mean, mean}
                                                      : data.summaries[test].intervals[meanPsnrSeen];
     QVariantList shares;
@@ -221,27 +168,25 @@ void TestTable::fill(const ReportData& data, std::size_t test) {
 }
 
 void StateTable::fill(const ReportData& data, std::size_t test) {
-  setRowCount(0);
-  m_range = rangeOf(data, test, std::max<std::size_t>(1, data.tests.size()));
+  m_range = data.range(test);
   const std::vector<CameraState>& states = data.session.cameras;
   m_usualSigma = usualOf(states, [](const CameraState& state) { return state.psf.sigma; });
   m_usualWindow =
       usualOf(states, [](const CameraState& state) { return double(state.psf.windowSize); });
   const std::vector<MetricColumn>& columns = data.metrics.columns();
-  setHeader(*this, name, tr("State"), tr("The session's camera states"));
-  setHeader(*this, psnr, tr("PSNR, dB"), text(columns[psnrSeenColumn].help));
-  setHeader(*this, ssim, tr("SSIM"), text(columns[ssimSeenColumn].help));
-  setHeader(*this, seen, tr("Seen, %"), text(columns[seenColumn].help));
-  setHeader(*this, sigma, tr("σ, px"), tr("Width of the light leakage, in directional pixels"));
-  setHeader(*this, window, tr("Window"), tr("Pixels that leak across; 1: none, nothing averages"));
-  setHeader(*this, lens, tr("Lens"), tr("Whether the camera's lens distorts"));
-  setHeader(*this, distance, tr("Distance, m"), tr("From the eye to the panel's middle"));
-  setHeader(*this, angle, tr("Angle, °"), tr("Of the eye from the panel's normal"));
-  int next = plugins;
-  for (std::size_t k = mseOfBitsColumn + 1; k < columns.size(); ++k)
-    if (columns[k].where == MetricColumn::Where::window)
-      setHeader(*this, next++, text(columns[k].title), text(columns[k].help));
-  setColumnCount(next);
+  std::vector<std::pair<QString, QString>> headings{
+      {tr("State"), tr("The session's camera states")},
+      {tr("PSNR, dB"), text(columns[psnrSeenColumn].help)},
+      {tr("SSIM"), text(columns[ssimSeenColumn].help)},
+      {tr("Seen, %"), text(columns[seenColumn].help)},
+      {tr("σ, px"), tr("Width of the light leakage, in directional pixels")},
+      {tr("Window"), tr("Pixels that leak across; 1: none, nothing averages")},
+      {tr("Lens"), tr("Whether the camera's lens distorts")},
+      {tr("Distance, m"), tr("From the eye to the panel's middle")},
+      {tr("Angle, °"), tr("Of the eye from the panel's normal")}};
+  for (const std::size_t k : moreColumns(data.metrics))
+    headings.emplace_back(text(columns[k].title), text(columns[k].help));
+  setHeadings(*this, headings);
   for (std::size_t state = 0; !data.tests.empty() && state < states.size(); ++state)
     fill(data, test, state);
 }
@@ -251,9 +196,9 @@ void StateTable::fill(const ReportData& data, std::size_t test, std::size_t stat
   const std::size_t index = data.order().row(state, test);
   const ReportRow& row = data.rows[index];
   const EyePlace eye = eyePlaceOf(data.session.display, row.eye);
-  const bool isProblem = !row.problem.empty() && row.problem != notYet;
+  const bool isProblem = !row.problem.empty() && !data.isAwaited(index);
   setItem(at, name, nameCell(text(row.state), text(isProblem ? row.problem : row.state)));
-  auto* figure = metricCell(data, row, psnrSeenColumn);
+  auto* figure = metricCell(data, index, psnrSeenColumn);
   if (isProblem) {
     figure->setText(text(row.problem));
     figure->setToolTip(text(row.problem));
@@ -261,8 +206,8 @@ void StateTable::fill(const ReportData& data, std::size_t test, std::size_t stat
   if (std::isfinite(data.psnr(index)))
     figure->setData(QVariantList{shareOf(m_range, data.psnr(index))}, barRole);
   setItem(at, psnr, figure);
-  setItem(at, ssim, metricCell(data, row, ssimSeenColumn));
-  setItem(at, seen, metricCell(data, row, seenColumn));
+  setItem(at, ssim, metricCell(data, index, ssimSeenColumn));
+  setItem(at, seen, metricCell(data, index, seenColumn));
   const CameraState& camera = data.session.cameras[state];
   setItem(at, sigma, settingCell(camera.psf.sigma, m_usualSigma));
   setItem(at, window, settingCell(camera.psf.windowSize, m_usualWindow));
@@ -270,31 +215,20 @@ void StateTable::fill(const ReportData& data, std::size_t test, std::size_t stat
   setItem(at, lens, numberCell(hasLens ? tr("yes") : "–", hasLens ? 1 : 0));
   setItem(at, distance, numberCell(text(rounded(eye.distance, 3)), eye.distance));
   setItem(at, angle, numberCell(text(rounded(eye.angle, 1)), eye.angle));
-  int next = plugins;
-  for (std::size_t k = mseOfBitsColumn + 1; k < data.metrics.columns().size(); ++k)
-    if (data.metrics.columns()[k].where == MetricColumn::Where::window)
-      setItem(at, next++, metricCell(data, row, k));
+  for (int next = plugins; const std::size_t k : moreColumns(data.metrics))
+    setItem(at, next++, metricCell(data, index, k));
 }
 
-void StateFilter::setText(const QString& text) {
-  std::vector<std::string> columns;
-  for (int k = 1; k < sourceModel()->columnCount(); ++k)
-    columns.push_back(sourceModel()
-                          ->headerData(k, Qt::Horizontal)
-                          .toString()
-                          .section(',', 0, 0)
-                          .toLower()
-                          .toStdString());
-  m_filter = RowFilter(text.toLower().toStdString(), columns);
-  invalidateFilter();
+RowFilter StateTable::filterOf(const QString& text) const {
+  QStringList columns;
+  for (int k = 1; k < columnCount(); ++k)
+    columns << headerData(k, Qt::Horizontal).toString().section(',', 0, 0);
+  return rowFilter(text, columns);
 }
 
-bool StateFilter::filterAcceptsRow(int row, const QModelIndex& parent) const {
-  const auto at = [&](int column) { return sourceModel()->index(row, column, parent); };
-  return m_filter.accepts(at(0).data().toString().toLower().toStdString(), [&](std::size_t k) {
-    const double value = at(int(k) + 1).data(ReportRole::sortRole).toDouble();
-    return std::isinf(value) && value < 0 ? unknown : value;
-  });
+double StateTable::numberOf(int row, std::size_t k) const {
+  const double value = index(row, int(k) + 1).data(ReportRole::sortRole).toDouble();
+  return std::isinf(value) && value < 0 ? unknown : value;
 }
 
 void BarDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,
@@ -336,8 +270,8 @@ void BarDelegate::initStyleOption(QStyleOptionViewItem* option, const QModelInde
   if (colour.isValid()) option->palette.setBrush(QPalette::HighlightedText, colour.value<QBrush>());
 }
 
-CopyTable::CopyTable(const QString& name) {
-  setObjectName(name);
+CopyTable::CopyTable(QWidget* parent) : QTableView(parent) {
+  setMinimumHeight(scaled(52));
   setShowGrid(false);
   setSelectionBehavior(SelectRows);
   setItemDelegate(new BarDelegate(this));

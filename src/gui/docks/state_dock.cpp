@@ -3,17 +3,11 @@
 
 #include <QAbstractListModel>
 #include <QDragEnterEvent>
-#include <QHBoxLayout>
 #include <QKeyEvent>
-#include <QLabel>
-#include <QLineEdit>
-#include <QListView>
 #include <QMimeData>
 #include <QPainter>
 #include <QScopedValueRollback>
-#include <QSortFilterProxyModel>
 #include <QStyledItemDelegate>
-#include <QToolButton>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -26,7 +20,9 @@
 #include "gui/session/session_model.h"
 #include "gui/session/state_commands.h"
 #include "gui/widgets/colours.h"
+#include "gui/widgets/filtered_rows.h"
 #include "io/documents/session_file.h"
+#include "ui_state_dock.h"
 
 namespace hogelscope {
 
@@ -144,28 +140,6 @@ class StateRows : public QAbstractListModel {
   int m_count = 0;  ///< rows that the view knows of
 };
 
-/// The rows that the text of the filter field lets through.
-class StateListFilter : public QSortFilterProxyModel {
- public:
-  explicit StateListFilter(StateRows* rows) : QSortFilterProxyModel(rows), m_rows(rows) {
-    setSourceModel(rows);
-  }
-
-  void setText(const QString& text) {
-    m_filter = RowFilter(text.toLower().toStdString(), {"psnr", "σ", "lens", "distance", "angle"});
-    invalidateFilter();
-  }
-
- private:
-  [[nodiscard]] bool filterAcceptsRow(int row, const QModelIndex&) const override {
-    return m_filter.accepts(m_rows->index(row).data().toString().toLower().toStdString(),
-                            [&](std::size_t k) { return m_rows->numbersOf(std::size_t(row))[k]; });
-  }
-
-  StateRows* m_rows;
-  RowFilter m_filter;
-};
-
 namespace {
 
 /// Paints a row: picture, name and detail, PSNR with a bar; a line marks the current state.
@@ -247,62 +221,32 @@ class StateDelegate : public QStyledItemDelegate {
 StateDock::StateDock(SessionModel* model, StateCommands* commands, SceneController* scene,
                      QWidget* parent)
     : QWidget(parent),
+      m_ui(std::make_unique<Ui::StateDock>()),
       m_model(model),
       m_commands(commands),
       m_scene(scene),
       m_rows(new StateRows(model, commands, this)),
-      m_shown(new StateListFilter(m_rows)),
-      m_list(new QListView),
-      m_count(new QLabel),
-      m_filter(new QLineEdit) {
-  setAcceptDrops(true);
-  m_list->setModel(m_shown);
-  m_list->setItemDelegate(new StateDelegate(m_list));
-  m_list->setObjectName("stateList");
-  m_list->setToolTip(
-      tr("The camera states; Ctrl or Shift marks several, for editing, deleting, saving and "
-         "dragging"));
-  m_list->setSelectionMode(QAbstractItemView::ExtendedSelection);
-  m_list->setEditTriggers(QAbstractItemView::DoubleClicked);
-  m_list->setUniformItemSizes(true);
-  m_list->setDragDropMode(QAbstractItemView::InternalMove);
-  m_list->setMouseTracking(true);
-  m_list->setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
-  m_list->setMinimumHeight(scaled(4 * 48));
-  m_list->viewport()->installEventFilter(this);
-  m_filter->setObjectName("stateFilter");
-  m_filter->setPlaceholderText(tr("Filter by name, lens, σ, PSNR < 30"));
-  m_filter->setToolTip(
-      tr("Shows the states with this text in their name, a lens, or numbers as said: lens, PSNR < "
-         "30, σ > 0.5, distance < 1, angle > 20"));
-  m_filter->setClearButtonEnabled(true);
-  m_filter->addAction(icon("find"), QLineEdit::LeadingPosition);
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(0);
-  layout->addWidget(makeHeader());
-  auto* filterRow = new QHBoxLayout;
-  filterRow->setContentsMargins(12, 0, 12, 8);
-  filterRow->addWidget(m_filter);
-  layout->addLayout(filterRow);
-  layout->addWidget(m_list, 1);
+      m_shown(new FilteredRows(m_rows, [this](int row, std::size_t k) {
+        return m_rows->numbersOf(std::size_t(row))[k];
+      })) {
+  m_ui->setupUi(this);
+  m_ui->stateList->setModel(m_shown);
+  m_ui->stateList->setItemDelegate(new StateDelegate(m_ui->stateList));
+  m_ui->stateList->setMinimumHeight(scaled(4 * 48));
+  m_ui->stateList->viewport()->installEventFilter(this);
+  m_ui->stateFilter->addAction(icon("find"), QLineEdit::LeadingPosition);
+  fillHeader();
   connectModel();
 }
 
-/// Creates the row of the title and the commands. The last button has all commands, also those for
-/// which the dock is too narrow.
-QWidget* StateDock::makeHeader() {
+StateDock::~StateDock() = default;
+
+/// Adds the buttons of commands. The last button has all commands, also those for which the dock is
+/// too narrow.
+void StateDock::fillHeader() {
   static const std::map<QString, const char*> icons{
       {"addStateAction", "new"},  {"duplicateAction", "duplicate"}, {"renameAction", "rename"},
       {"removeAction", "delete"}, {"moveUpAction", "up"},           {"moveDownAction", "down"}};
-  auto* header = new QWidget;
-  auto* layout = new QHBoxLayout(header);
-  layout->setContentsMargins(12, 4, 8, 4);
-  layout->setSpacing(0);
-  layout->addWidget(new QLabel(tr("<b>States</b>&nbsp; ")));
-  m_count->setObjectName("stateCount");
-  m_count->setForegroundRole(QPalette::PlaceholderText);
-  layout->addWidget(m_count, 1);
   for (QAction* action : m_commands->actions()) {
     const auto found = icons.find(action->objectName());
     if (found == icons.end()) continue;
@@ -310,31 +254,27 @@ QWidget* StateDock::makeHeader() {
     action->setIconVisibleInMenu(false);
     m_buttons.push_back(new QToolButton);
     m_buttons.back()->setDefaultAction(action);
-    layout->addWidget(m_buttons.back());
+    m_ui->header->insertWidget(m_ui->header->count() - 1, m_buttons.back());
   }
-  auto* more = new QToolButton;
-  more->setObjectName("moreStatesButton");
-  more->setIcon(icon("more"));
-  more->setToolTip(tr("All commands of the States menu"));
-  more->setMenu(m_commands->menu());
-  more->setPopupMode(QToolButton::InstantPopup);
-  layout->addWidget(more);
-  return header;
+  m_ui->moreStatesButton->setIcon(icon("more"));
+  m_ui->moreStatesButton->setMenu(m_commands->menu());
 }
 
 void StateDock::connectModel() {
-  const QItemSelectionModel* selection = m_list->selectionModel();
+  const QItemSelectionModel* selection = m_ui->stateList->selectionModel();
   connect(selection, &QItemSelectionModel::currentChanged, this, [this](const QModelIndex& index) {
     if (!m_isFollowing && index.isValid()) m_model->setCurrentIndex(stateAt(index));
   });
   connect(selection, &QItemSelectionModel::selectionChanged, this, [this] {
     if (!m_isFollowing) emitSelection();
   });
-  connect(m_filter, &QLineEdit::textChanged, this,
-          [this](const QString& text) { follow([&] { m_shown->setText(text); }); });
+  connect(m_ui->stateFilter, &QLineEdit::textChanged, this, [this](const QString& text) {
+    const RowFilter filter = rowFilter(text, {"PSNR", "σ", "lens", "distance", "angle"});
+    follow([&] { m_shown->setFilter(filter); });
+  });
   connect(m_model, &SessionModel::opened, this, [this] {
     m_rows->pictures.clear();
-    m_filter->clear();
+    m_ui->stateFilter->clear();
     showPsnr({});
   });
   connect(m_model, &SessionModel::statesChanged, this, [this] { showPsnr({}); });
@@ -343,7 +283,7 @@ void StateDock::connectModel() {
   connect(m_model, &SessionModel::currentChanged, this, &StateDock::showCurrent);
   connect(m_scene, &SceneController::stateRendered, this, [this](int row, const VtkImage& image) {
     m_rows->pictures[m_rows->index(row).data().toString()] = toPicture(*image);
-    m_list->viewport()->update();
+    m_ui->stateList->viewport()->update();
   });
 }
 
@@ -359,8 +299,10 @@ bool StateDock::eventFilter(QObject* watched, QEvent* event) {
   if (event->type() != QEvent::Paint && event->type() != QEvent::Hide)
     return QWidget::eventFilter(watched, event);
   std::vector<std::size_t> states;
-  QModelIndex index = event->type() == QEvent::Hide ? QModelIndex() : m_list->indexAt({1, 1});
-  for (; index.isValid() && m_list->visualRect(index).top() < m_list->viewport()->height();
+  QModelIndex index =
+      event->type() == QEvent::Hide ? QModelIndex() : m_ui->stateList->indexAt({1, 1});
+  for (; index.isValid() &&
+         m_ui->stateList->visualRect(index).top() < m_ui->stateList->viewport()->height();
        index = index.siblingAtRow(index.row() + 1))
     states.push_back(stateAt(index));
   m_scene->watchStates(states);
@@ -391,34 +333,36 @@ void StateDock::showPsnr(const std::vector<double>& dB) {
 /// Selects the current state, unless the filter hides it.
 void StateDock::showCurrent() {
   const QModelIndex index = m_shown->mapFromSource(m_rows->index(int(m_model->currentIndex())));
-  if (index != m_list->currentIndex()) {
+  if (index != m_ui->stateList->currentIndex()) {
     const QScopedValueRollback following(m_isFollowing, true);
-    m_list->selectionModel()->setCurrentIndex(index, QItemSelectionModel::ClearAndSelect);
+    m_ui->stateList->selectionModel()->setCurrentIndex(index, QItemSelectionModel::ClearAndSelect);
   }
-  m_list->viewport()->update();
+  m_ui->stateList->viewport()->update();
   const int all = m_rows->rowCount();
   const int shown = m_shown->rowCount();
-  m_count->setText(shown == all ? QString::number(all) : tr("%1 of %2").arg(shown).arg(all));
+  m_ui->stateCount->setText(shown == all ? QString::number(all)
+                                         : tr("%1 of %2").arg(shown).arg(all));
   emitSelection();
 }
 
 void StateDock::emitSelection() {
   std::vector<std::size_t> marked;
-  for (const QModelIndex& index : m_list->selectionModel()->selectedRows())
+  for (const QModelIndex& index : m_ui->stateList->selectionModel()->selectedRows())
     marked.push_back(stateAt(index));
   m_model->setMarked(std::move(marked));
 }
 
 void StateDock::editName() {
-  if (!m_list->currentIndex().isValid()) m_filter->clear();  // it hides the state
-  m_list->setFocus();
-  m_list->edit(m_list->currentIndex());
+  if (!m_ui->stateList->currentIndex().isValid()) m_ui->stateFilter->clear();  // it hides the state
+  m_ui->stateList->setFocus();
+  m_ui->stateList->edit(m_ui->stateList->currentIndex());
 }
 
 /// Goes from the filter into the list.
 void StateDock::keyPressEvent(QKeyEvent* event) {
-  if (event->key() != Qt::Key_Down || !m_filter->hasFocus()) return QWidget::keyPressEvent(event);
-  m_list->setFocus();
+  if (event->key() != Qt::Key_Down || !m_ui->stateFilter->hasFocus())
+    return QWidget::keyPressEvent(event);
+  m_ui->stateList->setFocus();
 }
 
 void StateDock::dragEnterEvent(QDragEnterEvent* event) {

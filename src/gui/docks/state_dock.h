@@ -4,19 +4,21 @@
 #pragma once
 
 #include <QWidget>
+#include <memory>
 #include <vector>
 
-class QLabel;
-class QLineEdit;
-class QListView;
 class QToolButton;
+
+namespace Ui {
+class StateDock;
+}
 
 namespace hogelscope {
 
+class FilteredRows;
 class SceneController;
 class SessionModel;
 class StateCommands;
-class StateListFilter;
 class StateRows;
 
 /// Imports the states of session documents dropped onto it; its own rows can be dragged to another
@@ -28,6 +30,7 @@ class StateDock : public QWidget {
   /// `scene` renders the pictures of the rows in sight.
   StateDock(SessionModel* model, StateCommands* commands, SceneController* scene,
             QWidget* parent = nullptr);
+  ~StateDock() override;
 
   /// Opens the editor of the current state's name.
   void editName();
@@ -43,7 +46,7 @@ class StateDock : public QWidget {
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
-  QWidget* makeHeader();
+  void fillHeader();
   void connectModel();
   template <class Change>
   void follow(Change change);
@@ -51,14 +54,12 @@ class StateDock : public QWidget {
   void emitSelection();
   [[nodiscard]] std::size_t stateAt(const QModelIndex& index) const;
 
+  std::unique_ptr<Ui::StateDock> m_ui;
   SessionModel* m_model;
   StateCommands* m_commands;
   SceneController* m_scene;
   StateRows* m_rows;
-  StateListFilter* m_shown;
-  QListView* m_list;
-  QLabel* m_count;
-  QLineEdit* m_filter;
+  FilteredRows* m_shown;
   std::vector<QToolButton*> m_buttons;  ///< those that hide where there is no room
   bool m_isFollowing = false;           ///< the list follows the session, not the user
 };

@@ -8,9 +8,9 @@
 #include <QPainter>
 #include <algorithm>
 
+#include "chart/method_texts.h"
 #include "core/base/parallel.h"
 #include "gui/docks/chart_colours.h"
-#include "gui/docks/method_texts.h"
 #include "gui/docks/plot_saver.h"
 #include "gui/widgets/polled_bar.h"
 #include "gui/widgets/task.h"
@@ -23,16 +23,11 @@ namespace {
 enum Column { nameColumn, timeColumn, rateColumn, errorColumn };
 
 QIcon markerIcon(const TradeoffRow& row, double ratio) {
-  const int side = scaled(16);
-  QPixmap pixmap(QSize(side, side) * ratio);
-  pixmap.setDevicePixelRatio(ratio);
-  pixmap.fill(Qt::transparent);
-  QPainter painter(&pixmap);
-  painter.setRenderHint(QPainter::Antialiasing);
-  ChartColours colours = chartColours();
-  colours.background = Qt::transparent;
-  paintMarker(painter, {side / 2.0, side / 2.0}, 0.3 * side, row, colours);
-  return pixmap;
+  return pixmapOf(scaled(16), ratio, [&row](QPainter& painter, const QSizeF& size) {
+    ChartColours colours = chartColours();
+    colours.background = Qt::transparent;
+    paintMarker(painter, {size.width() / 2, size.height() / 2}, 0.3 * size.width(), row, colours);
+  });
 }
 
 }  // namespace
@@ -72,7 +67,7 @@ void TradeoffChartWidget::point(std::optional<std::size_t> row) {
   update();
   if (!row) return;
   const auto place = m_chart.axes(QSizeF(size()), chartFont()).positionOf(m_chart.rows()[*row]);
-  m_details->setText(detailsOf(m_chart.rows(), *row));
+  m_details->setText(detailsOf(m_chart.rows(), *row, chartColours(), scaled(int(TextSize::base))));
   m_details->adjustSize();
   const int gap = scaled(16);
   QPoint corner = place->toPoint() + QPoint(gap, -gap - m_details->height());
@@ -308,7 +303,8 @@ void TradeoffWidget::showChoice() {
     QPushButton* card = m_cards[std::size_t(purpose)];
     card->setChecked(row == best);
     card->setAccessibleName(QString::fromStdString(rows[*best].method));
-    card->findChild<QLabel*>()->setText(cardText(purpose, rows[*best], row == best, isLow()));
+    card->findChild<QLabel*>()->setText(cardText(purpose, rows[*best], row == best, isLow(),
+                                                 chartColours(), scaled(int(TextSize::base))));
   }
   if (!row) return m_ui->methodTable->clearSelection();
   const auto lines = fastToSlow(rows);

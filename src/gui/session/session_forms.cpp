@@ -9,10 +9,7 @@ namespace hogelscope {
 ParameterForm* followingForm(SessionModel* model, const ParameterForm::Visit& visit,
                              const ParameterForm::Visit& defaults) {
   auto* form = new ParameterForm(visit, defaults);
-  for (const auto change :
-       {&SessionModel::opened, &SessionModel::currentChanged, &SessionModel::edited,
-        &SessionModel::statesChanged, &SessionModel::contentChanged})
-    QObject::connect(model, change, form, &ParameterForm::refresh);
+  onAnyChange(model, form, &ParameterForm::refresh);
   QObject::connect(form, &ParameterForm::dragged, model, &SessionModel::holdEdits);
   return form;
 }

@@ -13,6 +13,15 @@ class QPushButton;
 
 namespace hogelscope {
 
+/// Calls `slot` of `receiver` after any change of the model.
+template <class Receiver, class Slot>
+void onAnyChange(const SessionModel* model, Receiver* receiver, Slot slot) {
+  for (const auto change :
+       {&SessionModel::opened, &SessionModel::currentChanged, &SessionModel::edited,
+        &SessionModel::statesChanged, &SessionModel::contentChanged})
+    QObject::connect(model, change, receiver, slot);
+}
+
 /// Creates a form that is refreshed after any change of the model, whose drags are one edit each.
 ParameterForm* followingForm(SessionModel* model, const ParameterForm::Visit& visit,
                              const ParameterForm::Visit& defaults);

@@ -11,6 +11,18 @@ LensParams lensParamsOf(const std::string& source) {
   return LensParams([library] { return library.makeLens(); });
 }
 
+DisplayParams withLensParams(const DisplayParams& before, DisplayParams after) {
+  if (after.lens != HogelLensModel::plugin) {
+    after.lensSource.clear();
+    after.lensParams = {};
+    return after;
+  }
+  if (after.lens != before.lens) after.lensSource = "measured-lens";
+  if (after.lensSource != before.lensSource) after.lensParams = lensParamsOf(after.lensSource);
+  for (const std::size_t axis : {0, 1}) (void)lensOf(after, axis);
+  return after;
+}
+
 DisplayParams readDisplay(const Json& object) {
   DisplayParams params;
   JsonReader reader(object, "display");

@@ -11,6 +11,10 @@ namespace hogelscope {
 /// such plugin or it cannot be used.
 LensParams lensParamsOf(const std::string& source);
 
+/// Returns an edited display with the parameters of its plugin's lens, those of a new plugin at
+/// their defaults. Throws InputError if there is no such plugin or its lens cannot be opened.
+DisplayParams withLensParams(const DisplayParams& before, DisplayParams after);
+
 /// Reads the object `display`. Throws InputError with the path of the field.
 DisplayParams readDisplay(const Json& object);
 

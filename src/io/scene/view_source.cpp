@@ -5,6 +5,7 @@
 
 #include "core/base/error.h"
 #include "io/files/folders.h"
+#include "io/plugins/plugin_library.h"
 #include "io/scene/live_file.h"
 #include "io/store/light_field_store.h"
 
@@ -104,6 +105,21 @@ ViewSource loadViewSource(const Session& session, LightFieldFile& file, const Pr
                           const SourceUse& use) {
   return {file.source(use, progress), resolved(displayOf(session), file.size()), session.sampling,
           false};
+}
+
+LightFieldParams withDefaults(const LightFieldParams& before, LightFieldParams after) {
+  if (after.layout != before.layout && after.isLive()) {
+    after = {};
+    after.layout = Layout::live;
+    after.source = "scene";
+  } else if (!after.isLive() && before.isLive()) {
+    const Layout layout = after.layout;
+    after = {};
+    after.layout = layout;
+  }
+  if (after.source != before.source)
+    after.content = after.source.empty() ? ContentParams() : contentParamsOf(after.source);
+  return after;
 }
 
 }  // namespace hogelscope

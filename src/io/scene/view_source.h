@@ -61,4 +61,8 @@ LightFieldParams lightFieldOf(const std::string& file);
 /// otherwise, or if one is live, as lightFieldOf().
 LightFieldParams withFile(const LightFieldParams& params, const std::string& file);
 
+/// Returns an edited light field with the default fields of a new layout or source. Throws
+/// InputError if there is no such source.
+LightFieldParams withDefaults(const LightFieldParams& before, LightFieldParams after);
+
 }  // namespace hogelscope

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "gui/docks/method_texts.h"
+#include "chart/method_texts.h"
 
 #include <QCoreApplication>
 #include <array>
 #include <cmath>
 
 #include "chart/tradeoff_chart.h"
-#include "gui/docks/chart_colours.h"
 
 namespace hogelscope {
 
@@ -20,11 +19,15 @@ QString nameOf(const TradeoffRow& row) {
   return QString::fromStdString(row.method).toHtmlEscaped();
 }
 
-QString styled(const QColor& colour, TextSize size, const QString& words) {
+QString styled(const QColor& colour, double pixels, const QString& words) {
   return QString("<span style='color:%1; font-size:%2px'>%3</span>")
       .arg(colour.name())
-      .arg(scaled(int(size)))
+      .arg(std::lround(pixels))
       .arg(words);
+}
+
+double captionOf(double em) {
+  return 11 * em / 13;
 }
 
 constexpr std::array titles{"Moving view", "Default", "For a paper"};  // of each Purpose
@@ -35,7 +38,8 @@ QString rateText(const TradeoffRow& row) {
   return figureText(1000 / row.milliseconds);
 }
 
-QString detailsOf(const std::vector<TradeoffRow>& rows, std::size_t which) {
+QString detailsOf(const std::vector<TradeoffRow>& rows, std::size_t which,
+                  const ChartColours& colours, double em) {
   const TradeoffRow& row = rows[which];
   const double spread = spreadOf(row);
   const QString runs =
@@ -47,8 +51,8 @@ QString detailsOf(const std::vector<TradeoffRow>& rows, std::size_t which) {
   QString text =
       QString("<b>%1</b><br>%2%3 · <b>%4</b> %5<br>%6")
           .arg(nameOf(row), timeText(row.milliseconds), runs, rateText(row), tr("views/s"), error);
-  const auto note = [&text](const QString& words) {
-    text += "<br>" + styled(tokens().text2, TextSize::caption, words);
+  const auto note = [&](const QString& words) {
+    text += "<br>" + styled(colours.text2, captionOf(em), words);
   };
   if (const auto better = betterThan(rows, which)) {
     const bool isFaster = rows[*better].milliseconds < row.milliseconds;
@@ -61,16 +65,16 @@ QString detailsOf(const std::vector<TradeoffRow>& rows, std::size_t which) {
   return text;
 }
 
-QString cardText(Purpose purpose, const TradeoffRow& row, bool isUsed, bool isLine) {
-  const Tokens& t = tokens();
-  const QString ring =
-      styled(ringColour(purpose, chartColours()), TextSize::base, QStringLiteral("<b>○</b> "));
-  const QString title = ring + styled(t.text2, TextSize::base, tr(titles[std::size_t(purpose)]));
+QString cardText(Purpose purpose, const TradeoffRow& row, bool isUsed, bool isLine,
+                 const ChartColours& colours, double em) {
+  const QColor& faint = colours.text2;
+  const QString ring = styled(ringColour(purpose, colours), em, QStringLiteral("<b>○</b> "));
+  const QString title = ring + styled(faint, em, tr(titles[std::size_t(purpose)]));
   const QString error = row.rmse > 0 ? tr("error %1").arg(figureText(row.rmse)) : tr("no error");
   const QString figures =
-      styled(t.text2, TextSize::caption,
+      styled(faint, captionOf(em),
              tr("%1 · %2 views/s · %3").arg(timeText(row.milliseconds), rateText(row), error));
-  const QString use = styled(isUsed ? t.focus : t.text2, TextSize::caption,
+  const QString use = styled(isUsed ? colours.accent : faint, captionOf(em),
                              isUsed ? tr("in use") : tr("click to use"));
   const QString name = "<b>" + nameOf(row) + "</b>";
   const QString lines =
@@ -79,8 +83,8 @@ QString cardText(Purpose purpose, const TradeoffRow& row, bool isUsed, bool isLi
                "<tr><td colspan=2>%4</td></tr>";
   return "<table width='100%' cellspacing=0 cellpadding=1 style='white-space:nowrap'>" +
          lines.arg(title, isLine ? "" : use,
-                   styled(isLine && isUsed ? t.focus : t.text,
-                          isLine ? TextSize::base : TextSize::title, name),
+                   styled(isLine && isUsed ? colours.accent : colours.text,
+                          isLine ? em : 15 * em / 13, name),
                    figures) +
          "</table>";
 }
