@@ -24,5 +24,10 @@ cp "$output/stability/stability.png" resources/manual/stability.png
   --set camera.fov=36 --output "$output"
 cp "$output/front.png" resources/home/room.png
 cp "$output/Fig 1.png" resources/home/table1.png
-xvfb-run -a -s "-screen 0 2560x1440x24" \
-  build/release/bin/screenshots resources/manual 1280x800 "$output/jpeg10.png"
+screenshots() {
+  xvfb-run -a -s "-screen 0 2560x1600x24" build/release/bin/screenshots resources/manual "$@"
+}
+screenshots 1280x800 "$output/jpeg10.png"
+screenshots 1600x900 data/room.json layoutCompareAction compareIdealAction wipeAction
+screenshots 2560x1440 data/room.json layoutViewAction
+QT_SCALE_FACTOR=2 screenshots 1280x800 data/room.json lightColours

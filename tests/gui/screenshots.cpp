@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Makes the manual's images of the window, so that they stay true: packaging/manual.sh.
 // screenshots FOLDER WIDTHxHEIGHT TEST drives the real window on the sample session; TEST is a
-// light field to compare with.
+// light field to compare with. screenshots FOLDER WIDTHxHEIGHT SESSION ACTION… opens a session,
+// triggers the actions and makes one image, named by the size and the scale of the screen.
 #include <QAbstractButton>
 #include <QApplication>
 #include <QComboBox>
@@ -12,12 +13,14 @@
 #include <QLineEdit>
 #include <QPushButton>
 #include <QSettings>
+#include <QSpinBox>
 #include <QStandardPaths>
 #include <QTableView>
 #include <QTemporaryDir>
 #include <QTimer>
 #include <QtTest>
 
+#include "gui/app/application.h"
 #include "gui/docks/report_dock.h"
 #include "gui/files/opening_dialog.h"
 #include "gui/keys/key_dialog.h"
@@ -42,13 +45,21 @@ class Shooting {
   Shooting(const QString& folder, const QSize& size, const QString& test)
       : m_folder(QDir(folder).absolutePath()), m_size(size), m_test(test) {}
 
+  /// Makes one image of a session, after the actions.
+  void one(const QString& session, const QStringList& actions) {
+    show();
+    files(m_window).open(session);
+    wait([this] { return !view()->image().isNull(); });
+    for (const QString& action : actions) {
+      trigger(action.toLatin1());
+      QTest::qWait(3000);
+    }
+    const double scale = m_window.devicePixelRatioF();
+    shoot(QString("%1x%2").arg(scale * m_size.width()).arg(scale * m_size.height()));
+  }
+
   void run() {
-    m_window.resize(m_size);
-    m_window.show();
-    m_window.activateWindow();
-    QTest::qWait(300);
-    m_window.resize(m_size);  // docks let it grow while they are laid out for the first time
-    QTest::qWait(300);
+    show();
     QImage home = m_window.grab().toImage();
     home.save(m_folder + "/window_home.png");
     opening();
@@ -60,12 +71,21 @@ class Shooting {
     inspect();
     report();
     keys();
-    dark();
+    light();
+    speed();
     live();
     scene();
   }
 
  private:
+  void show() {
+    m_window.resize(m_size);
+    m_window.show();
+    m_window.activateWindow();
+    QTest::qWait(300);
+    m_window.resize(m_size);  // docks let it grow while they are laid out for the first time
+    QTest::qWait(300);
+  }
   template <class Condition>
   void wait(Condition condition) {
     if (!QTest::qWaitFor(condition, patience)) qFatal("waited in vain");
@@ -76,8 +96,10 @@ class Shooting {
     m_window.findChild<QAction*>(action)->trigger();
     QTest::qWait(300);
   }
-  /// Opens a section of the Properties dock.
+  /// Opens a section of the Properties dock, and closes those above it.
   void open(const QString& section) {
+    for (const char* above : {"lightField", "display", "camera"})
+      m_window.findChild<QAbstractButton*>(QString(above) + "Header")->setChecked(above == section);
     m_window.findChild<QAbstractButton*>(section + "Header")->setChecked(true);
     QTest::qWait(300);
   }
@@ -151,19 +173,17 @@ class Shooting {
   }
 
   void report() {
-    trigger("reportDockAction");
+    trigger("layoutReportAction");
     auto* dock = m_window.findChild<ReportDock*>();
     dock->addTest(m_test);
     dock->setFolder(m_temporary.path() + "/report");
     QTest::mouseClick(m_window.findChild<QPushButton*>("makeReportButton"), Qt::LeftButton);
     wait([this] { return m_window.findChild<QLabel*>("reportNote")->text().contains("mean"); });
     m_window.findChild<QTableView*>("reportTable")->selectRow(2);
-    trigger("sceneTopAction");
     QTest::qWait(1000);
     dock->setFolder("report");  // no path of this machine
     shoot("report");
-    trigger("reportDockAction");
-    trigger("fitAction");
+    trigger("layoutViewAction");
   }
 
   void keys() {
@@ -173,14 +193,25 @@ class Shooting {
     window->close();
   }
 
-  void dark() {
-    trigger("darkColours");
+  void light() {
+    trigger("lightColours");
     QTest::qWait(1000);
-    shoot("dark");
+    shoot("light");
+    trigger("darkColours");
+  }
+
+  void speed() {
+    trigger("layoutMeasureAction");
+    auto* measure = m_window.findChild<QPushButton*>("measureButton");
+    m_window.findChild<QSpinBox*>("budgetBox")->setValue(20);
+    measure->click();
+    QTest::qWait(1000);
+    wait([&] { return !measure->text().contains("Stop"); });
+    shoot("speed");
+    trigger("layoutViewAction");
   }
 
   void live() {
-    trigger("lightColours");
     QDir::setCurrent(HOGELSCOPE_SOURCE_DIR);  // the dock shows the name as it was given
     files(m_window).open("data/room.glb");
     wait([this] { return m_window.windowTitle().contains("new session"); });
@@ -239,12 +270,18 @@ int main(int argc, char** argv) {
   QStandardPaths::setTestModeEnabled(true);
   const QTemporaryDir settings;  // not the user's own
   QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, settings.path());
+  QSettings().setValue("window/hintsUsed", QStringList{"sceneHint", "viewHint"});
+  installTranslations();
   const QStringList arguments = application.arguments();
   const QStringList size = arguments.value(2).split('x');
-  if (size.size() != 2 || arguments.size() != 4 || !QDir(arguments.value(1)).exists()) {
-    qCritical("usage: screenshots FOLDER WIDTHxHEIGHT TEST");
+  if (size.size() != 2 || arguments.size() < 4 || !QDir(arguments.value(1)).exists()) {
+    qCritical("usage: screenshots FOLDER WIDTHxHEIGHT TEST | SESSION ACTION…");
     return 2;
   }
-  Shooting(arguments[1], {size[0].toInt(), size[1].toInt()}, arguments[3]).run();
+  Shooting shooting(arguments[1], {size[0].toInt(), size[1].toInt()}, arguments[3]);
+  if (arguments.size() == 4)
+    shooting.run();
+  else
+    shooting.one(arguments[3], arguments.mid(4));
   return 0;
 }

@@ -173,6 +173,27 @@ class TestLiveScenes : public SceneTest {
     QVERIFY(!compare->isEnabled());
   }
 
+  /// Two displays side by side on one scene: the one that was kept stays while the other is edited.
+  void aDisplayIsComparedWithWhatItWas() {
+    const ViewSource before = sceneNow();
+    child<QAction>("compareKeptAction")->trigger();
+    QTRY_VERIFY_WITH_TIMEOUT(!view()->otherImage().isNull(), patience);
+    const auto isKept = [&] {
+      return equals(view()->otherImage(), rendered(before.job(m_model->current())));
+    };
+    QTRY_VERIFY_WITH_TIMEOUT(isKept() && view()->otherImage() == view()->image(), patience);
+    m_model->edit("fewer hogels", [](Session& session) {
+      session.display.hogels = {9, 7};
+      session.display.fov = {40, 40};
+    });
+    QTRY_VERIFY_WITH_TIMEOUT(showsWhatIsTrue() && isKept(), patience);
+    QVERIFY(view()->otherImage() != view()->image());
+    QCOMPARE(view()->titles(), QStringList({"Display", "Display before"}));
+    child<QAction>("stopComparingAction")->trigger();
+    QTRY_VERIFY_WITH_TIMEOUT(view()->otherImage().isNull(), patience);
+    child<QAction>("undoAction")->trigger();
+  }
+
   void aDamagedMeshIsTold() {
     writeFile(m_folder.filePath("bad.glb"), "glTF");
     const Session before = m_model->session();

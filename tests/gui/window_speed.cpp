@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // No test: says when, after the process was made, the window and its first picture are there, and
-// what an edit and a turn of the scene cost.
+// what an edit, a turn of the scene and the drag of a mesh cost.
 // window_speed FILE [WIDTHxHEIGHT]
 #include <vtkCallbackCommand.h>
 #include <vtkGenericOpenGLRenderWindow.h>
@@ -11,6 +11,7 @@
 #include <QTimer>
 #include <QtTest>
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <ctime>
 #include <vector>
@@ -57,6 +58,22 @@ void sayCost(const char* what, Use use) {
   std::sort(cpu.begin(), cpu.end());
   std::printf("%-28s %5.1f ms, %5.1f ms of CPU\n", what, wall[wall.size() / 2],
               cpu[cpu.size() / 2]);
+}
+
+/// How many pictures of a mesh are shown in a second while it is dragged, an edit every 10 ms.
+void sayPicturesOfDrag(QDoubleSpinBox& position, const ImageWidget& view) {
+  constexpr int edits = 300;
+  int pictures = 0;
+  const auto counting =
+      QObject::connect(&view, &ImageWidget::imagesChanged, [&pictures] { ++pictures; });
+  const double start = seconds(CLOCK_MONOTONIC);
+  for (int k = 0; k < edits; ++k) {
+    position.setValue(0.02 * std::sin(0.05 * k));
+    QTest::qWait(10);
+  }
+  QObject::disconnect(counting);
+  std::printf("%-28s %5.1f pictures/s\n", "a dragged mesh",
+              pictures / (seconds(CLOCK_MONOTONIC) - start));
 }
 
 }  // namespace
@@ -110,5 +127,7 @@ int main(int argc, char** argv) {
     sceneWidget->repaint();
     QApplication::processEvents();
   });
+  if (const auto* mesh = window.findChild<QWidget*>("meshForm"))
+    sayPicturesOfDrag(*mesh->findChild<QDoubleSpinBox*>("position.0"), *view);
   return 0;
 }

@@ -119,8 +119,8 @@ void DesignNumbersWidget::showNumbers() {
   say(m_ui->degreesPerDirection, inDigits(n.degreesPerDirection), "°", tr("each direction"));
   say(m_ui->directionsPerPupil, inDigits(n.directionsPerPupil), "", tr("directions in the pupil"));
   say(m_ui->megapixels, inDigits(n.megapixels), tr("Mpx"), tr("pixels behind lenses"));
-  say(m_ui->sharpDepths, n.depthFront > 0 ? rangeText(sharp) : "–", tr("cm"),
-      tr("sharp for this eye"));
+  say(m_ui->sharpDepths, n.depthFront > 0 ? rangeText(sharp) : "–", "",
+      tr("sharp for this eye, cm"));
   QString legend = tr("<span style='color: %1'>■</span> sharp").arg(t.good.name());
   if (m_bar->content) {
     const auto [back, front] = *m_bar->content;

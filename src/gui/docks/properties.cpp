@@ -83,7 +83,7 @@ Properties::Properties(SessionModel* model, QAction* importAction, QMainWindow* 
   }
   m_column->setContentsMargins(0, 0, 0, 0);
   m_column->setSpacing(0);
-  m_column->addStretch();
+  m_column->addStretch(1);
   auto* column = new QWidget;
   column->setLayout(m_column);
   m_area->setWidget(column);

@@ -40,7 +40,7 @@ bool Hint::eventFilter(QObject* watched, QEvent* event) {
 void Hint::place() {
   const int margin = scaled(12);
   const QRect room = parentWidget()->rect().adjusted(margin, margin, -margin, -3 * margin);
-  const int wanted = fontMetrics().horizontalAdvance(text()) + scaled(32);
+  const int wanted = fontMetrics().horizontalAdvance(text()) + scaled(40);
   const int width = std::min(wanted, room.width());
   const int height = heightForWidth(width);
   setGeometry(room.center().x() - width / 2, room.bottom() - height, width, height);

@@ -46,10 +46,14 @@ class BoxRow : public QWidget {
 class FieldLabel : public QLabel {
  public:
   FieldLabel(const QString& name, const QString& unit, QWidget* parent)
-      : QLabel(name + " <span style='font-size: small'>" + unit + "</span>", parent) {
+      : QLabel(QString("%1 <span style='font-size: %2px'>%3</span>")
+                   .arg(name)
+                   .arg(textFont(TextSize::caption).pixelSize())
+                   .arg(unit),
+               parent) {
     setAccessibleName(name);
     setWordWrap(true);
-    setContentsMargins(scaled(12), 0, scaled(4), 0);
+    setContentsMargins(scaled(12), 0, 0, 0);
   }
 
   [[nodiscard]] int heightForWidth(int width) const override {
