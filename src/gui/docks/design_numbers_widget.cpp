@@ -114,6 +114,11 @@ void DesignNumbersWidget::showNumbers() {
             .arg(t.text3.name(), unit, t.text2.name(), caption));
     cell->setAccessibleName(QString("%1 %2, %3").arg(number, unit, caption));
   };
+  say(m_ui->hogelPitch, inDigits(n.hogelPitch, 1000), tr("mm"), tr("hogel pitch"));
+  say(m_ui->hogelArcmin, inDigits(n.hogelArcmin), tr("arcmin"), tr("hogel pitch at the eye"));
+  say(m_ui->degreesPerDirection, inDigits(n.degreesPerDirection), "°", tr("each direction"));
+  say(m_ui->directionsPerPupil, inDigits(n.directionsPerPupil), "", tr("directions in the pupil"));
+  say(m_ui->megapixels, inDigits(n.megapixels), tr("Mpx"), tr("pixels behind lenses"));
   say(m_ui->sharpDepths, n.depthFront > 0 ? rangeText(sharp) : "–", "",
       tr("sharp for this eye, cm"));
   QString legend = tr("<span style='color: %1'>■</span> sharp").arg(t.good.name());
