@@ -8,8 +8,6 @@ namespace hogelscope {
 
 namespace {
 
-const QColor paper(255, 255, 255);
-const QColor line(52, 94, 150);
 const QColor fold(200, 40, 40);
 
 QPolygonF polygonOf(const std::vector<Vec2>& points) {
@@ -43,18 +41,18 @@ void paintFold(QPainter& painter, const QRectF& frame, const QPolygonF& outline)
 
 }  // namespace
 
-void paintLens(QPainter& painter, const QSizeF& size, const LensGrid& grid) {
-  const QColor ink = painter.pen().color();
+void paintLens(QPainter& painter, const QSizeF& size, const LensGrid& grid,
+               const ChartColours& colours) {
   const QRectF image(-0.5, -0.5, grid.res[0], grid.res[1]);
   const QTransform transform = fromImage(image, size);
   const QRectF frame = transform.mapRect(image);
-  painter.fillRect(frame, paper);
-  painter.setPen(QPen(line, 1));
+  painter.fillRect(frame, colours.background);
+  painter.setPen(QPen(colours.series[0], 1));
   for (const std::vector<Vec2>& points : grid.lines)
     painter.drawPolyline(transform.map(polygonOf(points)));
   if (!grid.fold.empty()) paintFold(painter, frame, transform.map(polygonOf(grid.fold)));
   painter.setBrush(Qt::NoBrush);
-  painter.setPen(QPen(ink, 1.5));
+  painter.setPen(QPen(colours.text, 1.5));
   painter.drawRect(frame);
 }
 

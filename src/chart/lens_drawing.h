@@ -5,11 +5,13 @@
 
 #include <QPainter>
 
+#include "chart/painting.h"
 #include "core/lens/lens_grid.h"
 
 namespace hogelscope {
 
-/// Paints the grid of an image that has pixels; the image's frame has the painter's colour.
-void paintLens(QPainter& painter, const QSizeF& size, const LensGrid& grid);
+/// Paints the grid of an image that has pixels.
+void paintLens(QPainter& painter, const QSizeF& size, const LensGrid& grid,
+               const ChartColours& colours);
 
 }  // namespace hogelscope

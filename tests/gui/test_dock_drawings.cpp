@@ -7,6 +7,7 @@
 
 #include "core/base/colour_map.h"
 #include "gui/docks/parameter_drawings.h"
+#include "gui/widgets/colours.h"
 #include "tests/gui/docks_test.h"
 #include "tests/gui/shown_image.h"
 
@@ -134,11 +135,11 @@ class TestDockDrawings : public DocksTest {
     const auto isGrey = [&] { return !certificate->isEnabled() && !lens->isEnabled(); };
     QTRY_VERIFY_WITH_TIMEOUT(certificate->isEnabled() && lens->isEnabled(), patience);
     const QString before = certificate->text();
-    const int blue = pixelsOf(lens, QColor(52, 94, 150));
+    const int blue = pixelsOf(lens, tokens().series[0]);
     editor<QDoubleSpinBox>("distortionArea", "k1")->setValue(0.2);
     QVERIFY(isGrey());
     QCOMPARE(certificate->text(), before);
-    QVERIFY(pixelsOf(lens, QColor(52, 94, 150)) < blue / 10);
+    QVERIFY(pixelsOf(lens, tokens().series[0]) < blue / 10);
     QTRY_VERIFY_WITH_TIMEOUT(certificate->isEnabled() && lens->isEnabled(), patience);
     QVERIFY(certificate->text() != before);
     editor<QDoubleSpinBox>("cameraArea", "eye.0")->setValue(0.01);  // the lens stays

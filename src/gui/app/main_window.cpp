@@ -47,8 +47,11 @@ MainWindow::MainWindow(QWidget* parent)
       m_ui(std::make_unique<Ui::MainWindow>()),
       m_model(new SessionModel(this)),
       m_worker(new ViewWorker(this)),
-      m_stateBox(new QComboBox(this)) {
+      m_stateBox(new QComboBox(this)),
+      m_colours(new QMenu(tr("&Colours"), this)),
+      m_textSizes(new QMenu(tr("&Text size"), this)) {
   vtkObject::GlobalWarningDisplayOff();  // errors are shown in the status bar
+  addLook(m_colours, m_textSizes);  // before the widgets, which keep a font they were made with
   m_ui->setupUi(this);
   m_messages = new Messages(this);
   m_files = new FileCommands(m_ui->fileMenu, m_model, this);
@@ -345,7 +348,8 @@ void MainWindow::addHelpers() {
                        {m_home, m_ui->pictureArea, m_ui->sceneDock, m_ui->statesDock,
                         m_ui->propertiesDock, m_ui->tradeoffDock, m_ui->reportDock, m_properties},
                        {m_ui->pictureView, m_ui->sceneWidget});
-  addLook(m_ui->viewMenu->addMenu(tr("&Colours")), m_ui->viewMenu->addMenu(tr("&Text size")));
+  m_ui->viewMenu->addMenu(m_colours);
+  m_ui->viewMenu->addMenu(m_textSizes);
   m_readingBar = new ReadingBar(
       tr("Light field"), [this] { return m_worker->readShare(); }, this);
   m_readingBar->setObjectName("readingBar");

@@ -79,6 +79,7 @@ class MainWindow : public QMainWindow {
   WindowLayout* m_layout = nullptr;
   ReadingBar* m_readingBar = nullptr;
   QComboBox* m_stateBox;
+  QMenu *m_colours, *m_textSizes;
   SceneController* m_scene;
   ImageCommands* m_imageCommands = nullptr;
   CameraPlayer* m_player = nullptr;

@@ -7,15 +7,17 @@
 
 #include "chart/kernel_drawing.h"
 #include "chart/lens_drawing.h"
+#include "gui/docks/chart_colours.h"
 #include "gui/docks/plot_saver.h"
 
 namespace hogelscope {
 
 LensWidget::LensWidget(QWidget* parent)
     : QWidget(parent),
-      m_saver(new PlotSaver(
-          this, tr("Lens"), {480, 480},
-          [this](QPainter& painter, const QSizeF& size) { paintLens(painter, size, m_grid); })) {
+      m_saver(new PlotSaver(this, tr("Lens"), {480, 480},
+                            [this](QPainter& painter, const QSizeF& size) {
+                              paintLens(painter, size, m_grid, printColours());
+                            })) {
   m_saver->setEnabled(false);
   setObjectName("lensView");
   setAccessibleName(tr("Drawing of the lens"));
@@ -37,8 +39,7 @@ void LensWidget::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
   if (!isEnabled()) painter.setOpacity(0.35);
-  painter.setPen(palette().color(QPalette::WindowText));
-  paintLens(painter, size(), m_grid);
+  paintLens(painter, size(), m_grid, chartColours());
 }
 
 KernelWidget::KernelWidget(QWidget* parent) : QWidget(parent) {

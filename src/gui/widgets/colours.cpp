@@ -156,6 +156,11 @@ class Style : public QProxyStyle {
     if (which == SP_TitleBarNormalButton) return hogelscope::icon("undock");
     return QProxyStyle::standardIcon(which, option, widget);
   }
+  [[nodiscard]] int styleHint(StyleHint which, const QStyleOption* option, const QWidget* widget,
+                              QStyleHintReturn* more) const override {
+    if (which == SH_DialogButtonBox_ButtonsHaveIcons) return 0;
+    return QProxyStyle::styleHint(which, option, widget, more);
+  }
 };
 
 void apply() {

@@ -130,9 +130,12 @@ class ScrubField : public Box {
     writeLine(painter, inside, Qt::AlignVCenter, letter, letterFont(),
               axis < 0 ? t.text3 : t.axes[std::size_t(axis)]);
     writeLine(painter, inside, Qt::AlignVCenter | Qt::AlignRight, unit, unitFont(), t.text3);
-    if (!isFocused)
-      writeLine(painter, textRect(), Qt::AlignVCenter, shownText(), this->font(),
-                this->isEnabled() && !isLeftOut(this->text()) ? t.text : t.text3);
+    if (isFocused) return;
+    const QString text = shownText();
+    const bool fits = this->fontMetrics().horizontalAdvance(text) <= textRect().width();
+    writeLine(painter, textRect(), Qt::AlignVCenter, text,
+              fits ? this->font() : textFont(TextSize::caption),
+              this->isEnabled() && !isLeftOut(this->text()) ? t.text : t.text3);
   }
 
  private:
