@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "core/base/geometry.h"
+#include "core/optics/scene_eyes.h"
 #include "tests/core/random.h"
 
 using namespace hogelscope;

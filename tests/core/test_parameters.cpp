@@ -5,6 +5,7 @@
 
 #include "core/base/error.h"
 #include "core/base/parameters.h"
+#include "core/base/text.h"
 
 using namespace hogelscope;
 

@@ -45,15 +45,6 @@ inline Vec3 normalise(const Vec3& a) {
   return n > 0 ? Vec3{a.x / n, a.y / n, a.z / n} : Vec3{};
 }
 
-/// Returns s so that `origin` + s·`direction` is the point of this line that is nearest to the line
-/// through `other` along `along`; 0 for parallel lines.
-inline double nearestOnLine(const Vec3& origin, const Vec3& direction, const Vec3& other,
-                            const Vec3& along) {
-  const Vec3 normal = cross(direction, along);
-  const double square = dot(normal, normal);
-  return square > 0 ? dot(cross(other - origin, along), normal) / square : 0;
-}
-
 inline double radians(double degrees) {
   return degrees * (std::numbers::pi / 180);
 }

@@ -32,24 +32,6 @@ std::size_t editDistance(std::string_view a, std::string_view b) {
 
 }  // namespace
 
-std::string formLabel(std::string_view name) {
-  std::string label(name);
-  const auto lower = [](unsigned char c) { return char(std::tolower(c)); };
-  const auto upper = [](unsigned char c) { return char(std::toupper(c)); };
-  if (name.find_first_of("aeiouyAEIOUY") == std::string_view::npos) {
-    if (name.size() > 2) std::ranges::transform(label, label.begin(), upper);
-    return label;
-  }
-  for (std::size_t k = label.size() - 1; k > 0; --k)
-    if (std::islower(static_cast<unsigned char>(label[k - 1])) != 0 &&
-        std::isupper(static_cast<unsigned char>(label[k])) != 0)
-      label.insert(k, 1, ' ');
-  std::ranges::replace(label, '-', ' ');
-  std::ranges::transform(label, label.begin(), lower);
-  label[0] = upper(static_cast<unsigned char>(label[0]));
-  return label;
-}
-
 std::string_view nearestName(std::string_view name, std::span<const std::string_view> known) {
   std::string_view nearest;
   std::size_t best = std::max<std::size_t>(name.size() / 2, 1) + 1;

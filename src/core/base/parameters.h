@@ -114,10 +114,6 @@ class ParameterVisitor {
   bool m_count = true;
 };
 
-/// Returns the label that forms derive from a name: "Window size" for "windowSize"; names without
-/// vowels stay, as "PSF" or "k1".
-std::string formLabel(std::string_view name);
-
 /// Returns the name nearest to a mistyped one (edit distance), or "" if none is near.
 std::string_view nearestName(std::string_view name, std::span<const std::string_view> known);
 

@@ -2,6 +2,7 @@
 #include "core/base/text.h"
 
 #include <algorithm>
+#include <cctype>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -47,6 +48,24 @@ std::string lowerCase(std::string text) {
   for (char& letter : text)
     if (letter >= 'A' && letter <= 'Z') letter = char(letter - 'A' + 'a');
   return text;
+}
+
+std::string formLabel(std::string_view name) {
+  std::string label(name);
+  const auto lower = [](unsigned char c) { return char(std::tolower(c)); };
+  const auto upper = [](unsigned char c) { return char(std::toupper(c)); };
+  if (name.find_first_of("aeiouyAEIOUY") == std::string_view::npos) {
+    if (name.size() > 2) std::ranges::transform(label, label.begin(), upper);
+    return label;
+  }
+  for (std::size_t k = label.size() - 1; k > 0; --k)
+    if (std::islower(static_cast<unsigned char>(label[k - 1])) != 0 &&
+        std::isupper(static_cast<unsigned char>(label[k])) != 0)
+      label.insert(k, 1, ' ');
+  std::ranges::replace(label, '-', ' ');
+  std::ranges::transform(label, label.begin(), lower);
+  label[0] = upper(static_cast<unsigned char>(label[0]));
+  return label;
 }
 
 std::string csvCell(const std::string& text) {

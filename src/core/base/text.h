@@ -28,6 +28,10 @@ std::string pairText(long long across, long long down);
 /// Returns a text with the letters a … z for A … Z.
 std::string lowerCase(std::string text);
 
+/// Returns the label that forms derive from a name: "Window size" for "windowSize"; names without
+/// vowels stay, as "PSF" or "k1".
+std::string formLabel(std::string_view name);
+
 /// Returns a text as a CSV cell (RFC 4180). A text that a spreadsheet would read as a formula gets
 /// a leading apostrophe (OWASP, CSV injection).
 std::string csvCell(const std::string& text);

@@ -102,4 +102,11 @@ Vec3 rounded(const Vec3& place, const Vec3& before, double resolution) {
   return {round(place.x, before.x), round(place.y, before.y), round(place.z, before.z)};
 }
 
+double nearestOnLine(const Vec3& origin, const Vec3& direction, const Vec3& other,
+                     const Vec3& along) {
+  const Vec3 normal = cross(direction, along);
+  const double square = dot(normal, normal);
+  return square > 0 ? dot(cross(other - origin, along), normal) / square : 0;
+}
+
 }  // namespace hogelscope

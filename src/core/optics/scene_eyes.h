@@ -54,4 +54,9 @@ ParallelView fittedParallel(const std::vector<Vec3>& points, const RigidTransfor
 /// `resolution`, in the same unit, resolves.
 Vec3 rounded(const Vec3& place, const Vec3& before, double resolution);
 
+/// Returns s so that `origin` + s·`direction` is the point of this line that is nearest to the line
+/// through `other` along `along`; 0 for parallel lines.
+double nearestOnLine(const Vec3& origin, const Vec3& direction, const Vec3& other,
+                     const Vec3& along);
+
 }  // namespace hogelscope

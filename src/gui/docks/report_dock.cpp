@@ -335,10 +335,10 @@ void ReportDock::showRead(const ReportData& read) {
 void ReportDock::sizeColumns() {
   m_ui->testTable->setColumnWidth(TestTable::name, scaled(130));
   for (const int column : {TestTable::rate, TestTable::psnr, TestTable::ssim})
-    m_ui->testTable->setColumnWidth(column, scaled(76));
-  m_ui->testTable->setColumnWidth(TestTable::bar, scaled(170));
+    m_ui->testTable->setColumnWidth(column, scaled(80));
+  m_ui->testTable->setColumnWidth(TestTable::bar, scaled(196));
   m_ui->testTable->horizontalHeader()->setStretchLastSection(true);
-  const std::array widths{112, 112, 64, 64, 62, 64, 56, 88, 70};
+  const std::array widths{96, 112, 64, 76, 64, 76, 56, 104, 72};
   for (int k = StateTable::name; k < StateTable::plugins; ++k)
     m_ui->reportTable->setColumnWidth(k, scaled(widths.at(std::size_t(k))));
 }

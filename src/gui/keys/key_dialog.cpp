@@ -106,7 +106,7 @@ void KeyDialog::setWidths() {
   const int keyWidth = fontMetrics().horizontalAdvance("Ctrl+Alt+Shift+PgDown ");
   for (const int column : {keyColumn, defaultColumn})
     m_ui->keyTable->setColumnWidth(column, keyWidth);
-  m_ui->keyTable->setColumnWidth(conflictColumn, 2 * keyWidth);
+  m_ui->keyTable->setColumnWidth(conflictColumn, keyWidth);
   m_ui->keyTable->horizontalHeader()->setSectionResizeMode(helpColumn, QHeaderView::Stretch);
 }
 

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/optics/scene_eyes.h"
 #include "gui/scene/scene_actor.h"
 
 namespace hogelscope {

@@ -20,6 +20,7 @@
 #include <cmath>
 #include <typeinfo>
 
+#include "core/base/text.h"
 #include "gui/widgets/colours.h"
 #include "gui/widgets/scrub_field.h"
 
