@@ -2,8 +2,8 @@
 #include "core/base/text.h"
 
 #include <algorithm>
-#include <cctype>
 #include <array>
+#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <utility>
