@@ -1,4 +1,5 @@
-# The VTK module Hogelscope::ViewFilters, a shared library, and its Python module.
+# The VTK module Hogelscope::ViewFilters, a shared library, and its Python module; then the same
+# filters and the 3-D scene for the programs.
 vtk_module_scan(MODULE_FILES ${CMAKE_CURRENT_SOURCE_DIR}/vtk/vtk.module
   PROVIDES_MODULES hogelscope_modules
   REQUIRES_MODULES required_modules
@@ -26,3 +27,26 @@ if(HOGELSCOPE_PYTHON_VTK)
     DESTINATION ${HOGELSCOPE_PYTHON_MODULES}/hogelscope_vtk COMPONENT python)
 endif()
 unset(BUILD_SHARED_LIBS)
+
+# Without an export macro, since they are static.
+add_library(hogelscope_views STATIC
+  vtk/line_picker.cxx
+  vtk/vtkCameraFrustumSource.cxx
+  vtk/vtkHogelDisplaySource.cxx
+  vtk/vtkHogelFieldSource.cxx
+  vtk/vtkHogelViewFilter.cxx)
+target_include_directories(hogelscope_views PUBLIC ${CMAKE_CURRENT_SOURCE_DIR}/vtk
+  ${CMAKE_CURRENT_BINARY_DIR}/vtk)
+target_compile_definitions(hogelscope_views PUBLIC HOGELSCOPE_VTK_STATIC_DEFINE)
+foreach(target ViewFilters hogelscope_views)  # VTK's macros for errors name the file
+  target_compile_options(${target} PRIVATE -fmacro-prefix-map=${PROJECT_SOURCE_DIR}/=)
+endforeach()
+target_link_libraries(hogelscope_views PUBLIC hogelscope_core VTK::CommonCore VTK::CommonDataModel
+  VTK::CommonExecutionModel VTK::CommonMath)
+
+# The data of the 3-D scene and its export, which need more of VTK.
+add_library(hogelscope_scene STATIC vtk/scene_data.cxx vtk/scene_export.cxx vtk/state_atlas.cxx)
+target_link_libraries(hogelscope_scene PUBLIC hogelscope_views hogelscope_io VTK::RenderingCore
+  PRIVATE VTK::FiltersCore VTK::FiltersSources VTK::IOExport VTK::IOXML VTK::RenderingOpenGL2)
+target_compile_options(hogelscope_scene PRIVATE ${HOGELSCOPE_WARNINGS})
+vtk_module_autoinit(TARGETS hogelscope_scene MODULES VTK::RenderingOpenGL2)
