@@ -49,10 +49,13 @@ QImage withReasons(const QImage& seen, const RenderJob& job, const Progress& pro
   const std::vector<RayEnd> ends = rayEnds(job, mask, parallelRows, progress);
   QImage reasons(seen.size(), QImage::Format_Indexed8);
   reasons.setColorTable({qRgb(0, 0, 0), qRgb(0, 0, 0), qRgb(0, 0, 0), qRgb(255, 255, 255)});
-  auto end = ends.begin();
   for (int y = 0; y < seen.height(); ++y)
-    for (uchar& index : std::span(reasons.scanLine(y), std::size_t(seen.width())))
-      index = uchar(*end++);
+    for (int x = 0; x < seen.width(); ++x) {
+      const auto at = std::size_t(y) * std::size_t(seen.width()) + std::size_t(x);
+      // A coarse image may miss a pixel whose middle ray just comes into the field.
+      const bool isMissed = mask[at] == 0 && ends[at] == RayEnd::seen;
+      reasons.scanLine(y)[x] = uchar(isMissed ? RayEnd::outsideField : ends[at]);
+    }
   return reasons;
 }
 

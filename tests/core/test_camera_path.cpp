@@ -220,6 +220,13 @@ class TestCameraPath : public QObject {
     given.cameras.resize(1001, given.cameras[0]);
     QCOMPARE(statesAlong({PathKind::between, 9}, given, 0).size(), std::size_t(10001));
     QVERIFY(errorOf([&] { statesAlong({PathKind::between, 999}, given, 0); }).contains("million"));
+    for (const int count : {1'000'001, -1})
+      QVERIFY(errorOf([&] {
+                statesAlong({PathKind::orbit, count}, given, 0);
+              }).contains("million"));
+    QVERIFY(errorOf([] {
+              statesAlong({PathKind::orbit, 3}, {}, 0);
+            }).contains("there is no state"));
   }
 };
 

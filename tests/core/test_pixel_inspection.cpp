@@ -18,6 +18,7 @@ class TestPixelInspection : public QObject {
   void theTapsAddUpToTheLight();
   void fates();
   void aHogelsPixelsAreThoseThatSeeIt();
+  void rayEndsAreThoseOfTheTraces();
   void aHogelsImage();
 };
 
@@ -92,6 +93,31 @@ void TestPixelInspection::aHogelsPixelsAreThoseThatSeeIt() {
     found += count;
   }
   QVERIFY(found > 1000);
+}
+
+/// Of all kinds; also behind the panel, where no ray meets it, and until it is stopped.
+void TestPixelInspection::rayEndsAreThoseOfTheTraces() {
+  Random random(11);
+  std::array<int, 4> counts{};
+  for (int k = 0; k < 40; ++k) {
+    RandomScene scene = randomScene(random);
+    if (k % 4 == 0) scene.job.state.distortion = {.k1 = -1.5};  // folds
+    if (k % 8 == 1) scene.job.state.camera.eye.z -= 10;
+    const auto [width, height] = scene.job.state.camera.res;
+    const std::vector<std::uint8_t> unseen(std::size_t(width) * std::size_t(height), 0);
+    const std::vector<RayEnd> ends = rayEnds(scene.job, unseen, parallelRows);
+    for (int y = 0; y < height; ++y)
+      for (int x = 0; x < width; ++x) {
+        const RayEnd end = ends[std::size_t(y * width + x)];
+        QCOMPARE(int(end), int(pixelTrace(scene.job, x, y).end));
+        ++counts[std::size_t(end)];
+      }
+    const std::vector<std::uint8_t> seen(unseen.size(), 255);
+    for (const RayEnd end : rayEnds(scene.job, seen, serialRows)) QVERIFY(end == RayEnd::seen);
+    QVERIFY_EXCEPTION_THROWN(rayEnds(scene.job, unseen, parallelRows, [](double) { return false; }),
+                             Cancelled);
+  }
+  for (const int count : counts) QVERIFY(count > 100);
 }
 
 void TestPixelInspection::aHogelsImage() {

@@ -96,10 +96,10 @@ class Shooting {
     m_window.findChild<QAction*>(action)->trigger();
     QTest::qWait(300);
   }
-  /// Opens a section of the Properties dock, and closes those above it.
+  /// Opens a section of the Properties dock, and closes the others.
   void open(const QString& section) {
-    for (const char* above : {"lightField", "display", "camera"})
-      m_window.findChild<QAbstractButton*>(QString(above) + "Header")->setChecked(above == section);
+    for (const char* other : {"lightField", "display", "camera", "distortion"})
+      m_window.findChild<QAbstractButton*>(QString(other) + "Header")->setChecked(other == section);
     m_window.findChild<QAbstractButton*>(section + "Header")->setChecked(true);
     QTest::qWait(300);
   }

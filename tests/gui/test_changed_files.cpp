@@ -63,6 +63,16 @@ class TestChangedFiles : public HabitsTest {
     QVERIFY2(errors().isEmpty(), qPrintable(errors()));
   }
 
+  /// Nothing is measured, and no display is kept, without the light field.
+  void anUnreadableLightFieldIsNotUsed() {
+    QVERIFY(m_window->findChild<QPushButton*>("measureButton")->isEnabled());
+    writeFile(path("scene.png"), "rubbish");
+    QTRY_VERIFY_WITH_TIMEOUT(errors().contains("scene.png"), patience);
+    QVERIFY(!m_window->findChild<QPushButton*>("measureButton")->isEnabled());
+    action("compareKeptAction")->trigger();
+    QVERIFY(!action("stopComparingAction")->isEnabled());
+  }
+
   /// A file that is no session for now is said once, and read when it is one again.
   void damagedSessionsAreSaid() {
     const QByteArray before = contentOf(m_session);

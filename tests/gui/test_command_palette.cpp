@@ -58,6 +58,23 @@ class TestCommandPalette : public WindowTest {
     QCOMPARE(entries().front(), QString("New"));  // used last
   }
 
+  /// The commands of a disabled menu are disabled, and no workspace leaves the home page.
+  void nothingIsEditedOnTheHomePage() {
+    m_window.reset();
+    showWindow();
+    ask("st new");
+    press(Qt::Key_Return);
+    QTest::qWait(50);
+    QVERIFY(m_model->session().cameras.empty());
+    key(Qt::Key_Escape);
+    for (const char* name : {"layoutViewAction", "layoutReportAction", "resetLayoutAction"}) {
+      QVERIFY2(child<QAction>(name) != nullptr, name);
+      child<QAction>(name)->trigger();
+    }
+    QVERIFY(child<QWidget>("homePage")->isVisible());
+    QVERIFY(!child<QDockWidget>("propertiesDock")->isVisible());
+  }
+
   /// Escape does not remove picks of the scene, Page Down does not choose the next state.
   void keysAreThePalettes() {
     auto* view = child<ImageWidget>("pictureView");

@@ -27,13 +27,6 @@ std::string textOf(double value, int decade) {
 
 }  // namespace
 
-double roundedDown(double value) {
-  const double decade = decadeOf(value);
-  // Adds a rounding error, so that half of 0.2 gives 0.1.
-  const double share = value / decade * (1 + 1e-12);
-  return decade * (share >= 5 ? 5 : share >= 2 ? 2 : 1);
-}
-
 double tickStep(double range, int most) {
   const double decade = decadeOf(range / most);
   for (const double factor : {1.0, 2.0, 5.0})

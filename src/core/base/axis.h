@@ -23,8 +23,6 @@ struct Tick {
   std::string text;  ///< UTF-8 with U+2212 as minus; empty for a minor tick
 };
 
-/// Returns the largest of 1, 2, 5 times a power of ten not above `value`, which is > 0.
-double roundedDown(double value);
 /// Returns the smallest of 1, 2, 5 times a power of ten of which at most `most` steps fit `range`.
 double tickStep(double range, int most);
 /// Returns ticks at the multiples of tickStep() within the axis.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How well a typed word fits an entry of a list, for searching.
+// Rates how well a typed word fits an entry of a list, for searching.
 #pragma once
 
 #include <string_view>

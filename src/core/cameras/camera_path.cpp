@@ -60,16 +60,17 @@ CameraState between(const CameraState& from, const CameraState& to, double t) {
 std::vector<CameraState> statesAlong(const CameraPath& path, const Session& session,
                                      std::size_t current) {
   std::vector<CameraState> states = session.cameras;
-  if (path.kind == PathKind::between) {
-    if (path.count > 0 || states.empty()) requireOneSize(states);
-    const auto steps = std::size_t(path.count) + 1;
-    const std::size_t size = (states.size() - 1) * steps + 1;
-    if (size > longest) throw InputError("cameras", "their path has more than a million pictures");
+  const bool isBetween = path.kind == PathKind::between;
+  if (states.empty() || (isBetween && path.count > 0)) requireOneSize(states);
+  const auto steps = std::size_t(path.count) + 1;
+  const std::size_t size = isBetween ? (states.size() - 1) * steps + 1 : std::size_t(path.count);
+  if (size > longest) throw InputError("cameras", "their path has more than a million pictures");
+  if (isBetween) {
     states.resize(size);
     for (std::size_t k = 0; k < states.size(); ++k)
       states[k] = stateAt(session.cameras, double(k) / double(steps));
   } else {
-    states.assign(std::size_t(path.count), states.at(current));
+    states.assign(size, session.cameras.at(current));
     for (std::size_t k = 0; k < states.size(); ++k)
       states[k].camera = turned(path.kind, states[k].camera, session.display,
                                 path.degrees * ((double(k) + 0.5) / path.count - 0.5));

@@ -17,8 +17,8 @@ struct CameraPath {
 };
 
 /// Returns the states of a path's pictures, named frame_0001 and so on with as many digits as the
-/// last one needs. Throws InputError if there is no state, a camera has no frame, states with
-/// pictures between them differ in size, or the path has more than a million pictures.
+/// last one needs. Throws InputError if there is no state, an orbiting camera has no frame, states
+/// with pictures between them differ in size, or the path has more than a million pictures.
 std::vector<CameraState> statesAlong(const CameraPath& path, const Session& session,
                                      std::size_t current);
 

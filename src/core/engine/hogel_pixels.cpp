@@ -53,13 +53,15 @@ std::vector<RayEnd> rayEnds(const RenderJob& job, std::span<const std::uint8_t> 
                             const ParallelRows& parallelRows, const Progress& progress) {
   SamplingParams middle = job.sampling;
   middle.samplesPerPixel = 1;
-  const LensRays lens(lensKeyOf(job.state, middle), progress);
+  const Progress ofThreads = forThreads(progress);
+  const LensRays lens(lensKeyOf(job.state, middle), ofThreads);
   const Camera camera(job.state.camera, job.state.intrinsics);
   const Display display(job.display);
   const RigidTransform toDisplay = display.displayFromWorld() * camera.worldFromCamera();
   const int width = job.state.camera.res[0];
   std::vector<RayEnd> ends(seen.size(), RayEnd::seen);
   const auto writeRow = [&](int y) {
+    throwIfCancelled(ofThreads);
     std::array<double, batchSize> idealX;
     std::array<double, batchSize> idealY;
     for (int x0 = 0; x0 < width; x0 += batchSize) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The pixels of a view that see a hogel, and why others see none.
+// Finds the pixels of a view that see a hogel, and why others see none.
 #pragma once
 
 #include <cstdint>
@@ -20,7 +20,7 @@ std::vector<PixelRun> pixelsSeeing(const RenderJob& job, int i, int j,
 
 /// Returns the end of the ray through the middle of each pixel that is 0 in `seen`, a mask in the
 /// camera's resolution, row by row from the top; RayEnd::seen for the others. Throws InputError as
-/// Simulation does, and Cancelled.
+/// Camera and lensOf() do, and Cancelled.
 std::vector<RayEnd> rayEnds(const RenderJob& job, std::span<const std::uint8_t> seen,
                             const ParallelRows& parallelRows, const Progress& progress = {});
 

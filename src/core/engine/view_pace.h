@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How coarse the first image after an edit is.
+// Chooses how coarse the first image after an edit is.
 #pragma once
 
 #include <algorithm>

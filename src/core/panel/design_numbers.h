@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a display can show to an eye, worked out from its parameters alone (docs/formulas.md, Design
-// numbers).
+// Computes what a display can show to an eye from the display's parameters alone
+// (docs/formulas.md, Design numbers).
 //
 // Sharp depths. A point at the depth z (+ in front of the panel) is shown along directions that are
 // s apart in slope, s the slope step, so on its own plane the light of one direction is |z| s wide.

@@ -283,7 +283,8 @@ void MainWindow::render() {
 }
 
 void MainWindow::showView(const RenderedView& view) {
-  for (Hint* hint : findChildren<Hint*>()) hint->offer();
+  if (std::exchange(m_offersHints, false))
+    for (Hint* hint : findChildren<Hint*>()) hint->offer();
   m_imageCommands->show(view);
   if (view.scale == 1 && !view.isOverview) m_files->keepThumbnail(view.image);
   m_loader->followImage();
@@ -368,7 +369,7 @@ void MainWindow::showFailure(const QString& line) {
   QString advice = tr("Correct it in the docks, undo the edit, or choose another state.");
   if (!isRead)
     advice =
-        tr("Correct it in the Light field or Display dock, undo the edit, or open the session "
+        tr("Correct it in the Light field or Display section, undo the edit, or open the session "
            "again.");
   else if (m_imageCommands->other())
     advice += tr(" Where it is the other light field's fault, stop comparing.");
@@ -391,7 +392,7 @@ void MainWindow::showStates() {
 void MainWindow::showSession() {
   m_layout->leaveHome();
   m_method.reset();
-  m_isNew = true;
+  m_isNew = m_offersHints = true;
   m_ui->tradeoffView->forgetChoice();
   m_imageCommands->drop({});
   m_loader->load();
@@ -411,9 +412,8 @@ void MainWindow::showScene() {
   m_scene->setSource(source);
   m_imageCommands->setSource(source);
   m_ui->reportPanel->setReference(source);
-  if (!source) return;
   forgetMeasurement();
-  showCurrent();
+  if (source) showCurrent();
 }
 
 void MainWindow::showCurrent() {

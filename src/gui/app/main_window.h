@@ -86,6 +86,7 @@ class MainWindow : public QMainWindow {
   Properties* m_properties = nullptr;
   PictureRate m_rate;
   bool m_isNew = false;                 ///< the session is new, so the scene has to be fitted to it
+  bool m_offersHints = false;           ///< its first picture has not been shown
   std::optional<NamedMethod> m_method;  ///< of the live view; none: the session's own
 };
 

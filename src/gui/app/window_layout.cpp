@@ -133,6 +133,7 @@ QList<QDockWidget*> WindowLayout::docks() const {
 
 /// Raises a dock that is hidden or behind another one; closes a visible one.
 void WindowLayout::toggle(QDockWidget* dock) {
+  if (isHome()) return dock->toggleViewAction()->setChecked(false);
   Section* section = m_parts.sections->sectionOf(dock);
   if (section != nullptr && !section->isOut()) return toggle(section);
   if (isSeen(dock)) {
@@ -159,7 +160,7 @@ void WindowLayout::toggle(Section* section) {
 }
 
 void WindowLayout::arrange(const Workspace& workspace) {
-  leaveHome();
+  if (isHome()) return;
   showAll();
   const bool isSpeed = workspace.docks.contains(m_parts.tradeoff);
   if (isSpeed)
@@ -184,8 +185,13 @@ void WindowLayout::resize(const Workspace& workspace) {
                         Qt::Vertical);
 }
 
+/// Whether the home page is shown, which has no docks.
+bool WindowLayout::isHome() const {
+  return !m_parts.home->isHidden();
+}
+
 void WindowLayout::leaveHome() {
-  if (m_parts.home->isHidden()) return;
+  if (!isHome()) return;
   m_parts.home->hide();
   m_parts.view->show();
   if (m_before.isEmpty()) return arrange(m_workspaces.front());
@@ -195,7 +201,7 @@ void WindowLayout::leaveHome() {
 /// Shows one view alone. A second call restores the docks.
 void WindowLayout::showOnly(QAction* action, bool isView) {
   const bool begins = action->isChecked();
-  if (!m_parts.home->isHidden()) return action->setChecked(false);
+  if (isHome()) return action->setChecked(false);
   const bool isFirst = m_before.isEmpty();
   const QByteArray docksNow = isFirst ? m_window->saveState(version) : m_before;
   const bool hasView = isFirst ? !m_window->centralWidget()->isHidden() : m_hadView;
@@ -260,7 +266,7 @@ void WindowLayout::save() const {
   QSettings settings;
   settings.setValue("window/version", version);
   settings.setValue("window/geometry", m_window->saveGeometry());
-  if (!m_before.isEmpty() || m_parts.home->isHidden())
+  if (!m_before.isEmpty() || !isHome())
     settings.setValue("window/docks", m_before.isEmpty() ? m_window->saveState(version) : m_before);
 }
 
@@ -281,6 +287,7 @@ void WindowLayout::restore() {
 }
 
 void WindowLayout::reset() {
+  if (isHome()) return;
   m_window->addDockWidget(Qt::LeftDockWidgetArea, m_parts.scene);
   m_window->addDockWidget(Qt::LeftDockWidgetArea, m_parts.states);
   m_window->addDockWidget(Qt::RightDockWidgetArea, m_parts.properties);

@@ -69,6 +69,7 @@ class WindowLayout : public QObject {
   void toggle(QDockWidget* dock);
   void toggle(Section* section);
   void showOnly(QAction* action, bool isView);
+  [[nodiscard]] bool isHome() const;
   void showAll();
   void place(const QByteArray& geometry);
   void fitScreen();

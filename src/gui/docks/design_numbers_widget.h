@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the display can show to the current eye: a card of six numbers, and the depths that are
-// sharp, beside those of the content. It follows the session's edits and needs no picture.
+// Shows what the display can show to the current eye: a card of six numbers, and the depths that
+// are sharp, beside those of the content. It follows the session's edits and needs no picture.
 #pragma once
 
 #include <QWidget>

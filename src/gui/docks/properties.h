@@ -30,7 +30,6 @@ class Properties : public QWidget {
   [[nodiscard]] LightFieldDock* lightField() const { return m_lightField; }
   [[nodiscard]] DesignNumbersWidget* designNumbers() const { return m_numbers; }
   [[nodiscard]] DistortionDock* distortion() const { return m_distortion; }
-  [[nodiscard]] const std::vector<Section*>& sections() const { return m_sections; }
   /// Returns the section whose content may stand in `dock`; null: none.
   [[nodiscard]] Section* sectionOf(const QDockWidget* dock) const;
   /// Opens a section of the column and scrolls to it.

@@ -79,6 +79,8 @@ FileCommands::FileCommands(QMenu* menu, SessionModel* model, QWidget* window)
     watchFiles();
     m_watch->know(fullPath(m_model->file()));
   });
+  // The next picture is of another session than the file that waits for one.
+  connect(m_model, &SessionModel::opened, this, [this] { m_unpictured.clear(); });
   connect(m_watch, &FileWatch::changed, this, &FileCommands::takeChange);
   window->setAcceptDrops(true);
   window->installEventFilter(this);

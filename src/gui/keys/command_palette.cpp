@@ -5,6 +5,7 @@
 #include <QDockWidget>
 #include <QKeyEvent>
 #include <QMainWindow>
+#include <QMenu>
 #include <QPainter>
 #include <QScrollArea>
 #include <QSettings>
@@ -23,6 +24,14 @@
 namespace hogelscope {
 
 namespace {
+
+/// Whether a command can be used: its menus, if any, are enabled too.
+bool isUsable(const QAction& action) {
+  return action.isEnabled() && std::ranges::all_of(action.associatedObjects(), [](QObject* object) {
+           const auto* menu = qobject_cast<QMenu*>(object);
+           return menu == nullptr || menu->isEnabled();
+         });
+}
 
 constexpr const char* usedKey = "paletteRecent";
 constexpr int mostRows = 10;
@@ -139,7 +148,7 @@ void CommandPalette::collect() {
             {row.group + '.' + row.label, row.label, row.group, row.text, {}, row.editor});
   for (const KeyMap::Command& command : m_map->commands()) {
     const auto usable = std::ranges::find_if(command.actions, [](const QPointer<QAction>& action) {
-      return action != nullptr && action->isEnabled();
+      return action != nullptr && isUsable(*action);
     });
     m_entries.push_back({command.name,
                          command.title,

@@ -139,11 +139,13 @@ void KeyDialog::showRow(int row) {
   const QStringList texts{nameOf(command), command.help, textOfKeys(command.keys),
                           textOfKeys(command.defaults),
                           conflict.isEmpty() ? QString() : tr("⚠ also %1").arg(conflict)};
+  QColor marked = tokens().error;
+  marked.setAlphaF(0.3F);
   for (int column = 0; column < columnCount; ++column) {
     QTableWidgetItem* item = m_ui->keyTable->item(row, column);
     item->setText(texts[column]);
     item->setToolTip(texts[column]);
-    item->setBackground(conflict.isEmpty() ? QBrush() : QColor(200, 60, 40, 70));
+    item->setBackground(conflict.isEmpty() ? QBrush() : QBrush(marked));
   }
   QFont font = m_ui->keyTable->font();
   font.setBold(command.keys != command.defaults);

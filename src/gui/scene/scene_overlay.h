@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What is painted over the 3-D scene's picture in two dimensions: axes, arrows of the handles, the
-// viewing zone's outlines, scale bar, legend, the PSNR's bar and a measured line. Qt paints it with
-// the window's fonts, so that VTK need not draw the scene again for it.
+// Paints the two-dimensional parts over the 3-D scene's picture: axes, arrows of the handles, the
+// viewing zone's outlines, scale bar, legend, the PSNR's bar and a measured line. They are painted
+// with the window's fonts, and VTK need not draw the scene again for them.
 #pragma once
 
 #include <QColor>

@@ -49,6 +49,7 @@ void Comparison::startIdeal() {
 }
 
 void Comparison::startKept() {
+  if (!m_own) return;  // it is being read
   set({.name = tr("Display before"), .source = m_own, .hasOwnDisplay = true});
 }
 

@@ -26,7 +26,8 @@ class Comparison : public QObject {
   void start(const Session& session, const QString& file);
   /// Compares with the ideal view of the session's own light field while that is live.
   void startIdeal();
-  /// Compares with the session's own light field on its display as it is now.
+  /// Compares with the session's own light field on its display as it is now, if that has been
+  /// read. It is kept, also if its file is read again.
   void startKept();
   void stop();
   /// Sets the session's own light field; none while it is read.

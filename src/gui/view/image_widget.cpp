@@ -421,6 +421,11 @@ void ImageWidget::resizeEvent(QResizeEvent*) {
   placeCures();
 }
 
+void ImageWidget::changeEvent(QEvent* event) {
+  if (event->type() == QEvent::PaletteChange) updateHatch();
+  QWidget::changeEvent(event);
+}
+
 /// Puts the buttons below the notice's text.
 void ImageWidget::placeCures() {
   constexpr int gap = 8;

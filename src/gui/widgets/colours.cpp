@@ -104,10 +104,9 @@ QString styleSheetOf(const Tokens& t) {
         std::pair("@line", t.line), std::pair("@strongLine", t.strongLine),
         std::pair("@text2", t.text2), std::pair("@text3", t.text3), std::pair("@text", t.text),
         std::pair("@focus", t.focus), std::pair("@primary", t.primary),
-        std::pair("@selectionText", t.selectionText), std::pair("@selection", t.selection),
-        std::pair("@eye", t.eye), std::pair("@amber", t.amber), std::pair("@error", t.error)})
+        std::pair("@selectionText", t.selectionText), std::pair("@selection", t.selection)})
     sheet.replace(QString(name) + ';', colour.name() + ';');
-  for (const int pixels : {4, 8, 11, 13, 15, 16, 22, 24, 28, 34})
+  for (const int pixels : {4, 8, 11, 13, 15, 22, 34})
     sheet.replace(QString("@%1px").arg(pixels), QString("%1px").arg(scaled(pixels)));
   return sheet;
 }

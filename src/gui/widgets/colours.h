@@ -41,7 +41,6 @@ enum class TextSize {
   base = 13,
   title = 15,   ///< of cards
   number = 16,  ///< derived numbers
-  large = 22,   ///< the home page's title
 };
 /// Returns the system's font at a size of text, scaled as the user chose.
 QFont textFont(TextSize size, QFont::Weight weight = QFont::Normal);

@@ -12,6 +12,7 @@
 #include <csignal>
 #include <cstring>
 #include <sstream>
+#include <utility>
 #include <vector>
 
 #include "core/base/text.h"
@@ -79,7 +80,8 @@ VideoWriter::VideoWriter(const std::filesystem::path& file, const std::array<int
 VideoWriter::~VideoWriter() {
   if (m_process <= 0) return;
   ::kill(-m_process, SIGKILL);
-  ::waitpid(m_process, nullptr, 0);
+  while (::waitpid(m_process, nullptr, 0) < 0 && errno == EINTR) {
+  }
 }
 
 void VideoWriter::add(std::span<const std::uint8_t> rgb, const Progress& progress) {
@@ -100,17 +102,20 @@ void VideoWriter::add(std::span<const std::uint8_t> rgb, const Progress& progres
 void VideoWriter::finish(const Progress& progress) {
   ::shutdown(m_pictures.get(), SHUT_WR);
   int status = 0;
-  for (; ::waitpid(m_process, &status, WNOHANG) == 0; ::poll(nullptr, 0, patience))
+  pid_t ended = 0;
+  for (; (ended = ::waitpid(m_process, &status, WNOHANG)) == 0; ::poll(nullptr, 0, patience))
     reportProgress(progress, 1);
-  m_process = -1;
-  if (status != 0) fail();
+  // Where SIGCHLD is ignored nobody says how it ended: its video may be cut off.
+  if (std::exchange(m_process, -1) != ended || status != 0) fail();
   m_file.commit();
 }
 
 /// Throws what ffmpeg printed last.
 void VideoWriter::fail() const {
   std::string text(4096, '\0');
-  const ssize_t count = ::pread(m_messages.get(), text.data(), text.size(), 0);
+  const off_t written = ::lseek(m_messages.get(), 0, SEEK_END);
+  const ssize_t count = ::pread(m_messages.get(), text.data(), text.size(),
+                                std::max<off_t>(0, written - off_t(text.size())));
   text.resize(std::size_t(std::max<ssize_t>(0, count)));
   text.erase(text.find_last_not_of('\n') + 1);
   if (text.empty()) text = "ended too early";
