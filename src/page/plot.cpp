@@ -19,9 +19,11 @@ std::vector<Tick> linearTicksAcross(const Axis& across) {
   return linearTicks(across, std::max(2, int(std::abs(across.to - across.from) / 50)));
 }
 
-/// Extends the axis beyond the points by 5 %, and to a range of at least twice `least`.
+/// Extends the axis beyond the points by 5 %, and to a range of at least twice `least`; an axis
+/// without a range gets one.
 void pad(Axis& axis, double least) {
   if (!(axis.low <= axis.high)) axis.low = axis.high = 0;
+  if (axis.low == axis.high && least == 0) least = 0.5;
   const double by = std::max(0.05 * (axis.high - axis.low), least - (axis.high - axis.low) / 2);
   axis.low -= by;
   axis.high += by;

@@ -9,6 +9,7 @@
 
 #include "core/base/colour_map.h"
 #include "page/plot.h"
+#include "report/page/window_plots.h"
 #include "tests/core/random.h"
 #include "tests/report/metric_values.h"
 
@@ -102,6 +103,7 @@ class TestReportPlots : public QObject {
   void displayFrame();
   void colours();
   void kinds();
+  void aMapWithoutEyesHasAxes();
   void theWorstIsOnTop();
   void everythingLiesInside_data();
   void everythingLiesInside();
@@ -307,6 +309,14 @@ void TestReportPlots::curvesFollowRates() {
       points[0].attributes.value("cy").toString()));
   QVERIFY(text.find("&lt;B&gt;") != std::string::npos);
   QVERIFY(ratePlots({}, metrics, {}).empty());
+}
+
+/// Before the first view of a report is done.
+void TestReportPlots::aMapWithoutEyesHasAxes() {
+  const PlotArea area = areaOf(eyeMap({}, 0, 1, DisplayParams{}), {300, 200});
+  for (const Axis& axis : {area.across, area.up})
+    QVERIFY(std::isfinite(axis.low) && axis.low < axis.high);
+  QVERIFY(ticksUp(area.up).size() > 1);
 }
 
 /// A mean that is not finite is no point.
