@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "core/metrics/error_map.h"
+#include "core/optics/eyes.h"
 #include "io/files/atomic_file.h"
 #include "io/images/image_writer.h"
 
@@ -22,11 +23,11 @@ fs::path viewFile(const fs::path& folder, const ChosenView& view, const char* en
 }
 
 fs::path referenceImage(const fs::path& folder, const std::string& state) {
-  return folder / "reference" / (state + ".png");
+  return folder / "reference" / (fileNameOf(state) + ".png");
 }
 
 fs::path testImage(const fs::path& folder, std::size_t test, const std::string& state) {
-  return folder / ("test" + std::to_string(test + 1)) / (state + ".png");
+  return folder / ("test" + std::to_string(test + 1)) / (fileNameOf(state) + ".png");
 }
 
 std::string pngOf(const Image& image, const Progress& progress = {}) {

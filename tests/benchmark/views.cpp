@@ -37,6 +37,24 @@ RenderJob leaking7(int pose) {
   return leaking(pose, 0.946, 7);
 }
 
+/// 64 samples of a pupil of 4 mm that focuses on the panel.
+RenderJob through64(int pose) {
+  RenderJob job = viewOf(pose);
+  job.state.pupil = {0.004, 0, 64};
+  return job;
+}
+RenderJob leaking5Through64(int pose) {
+  RenderJob job = leaking5(pose);
+  job.state.pupil = {0.004, 0, 64};
+  return job;
+}
+/// The same, focused 0.2 m behind the panel.
+RenderJob behindThrough64(int pose) {
+  RenderJob job = through64(pose);
+  job.state.pupil.focus = axisDistance(job.state.camera, job.display) + 0.2;
+  return job;
+}
+
 RenderJob quadrilinear(int pose) {
   RenderJob job = viewOf(pose);
   job.sampling.reconstruction = Reconstruction::quadrilinear;
@@ -220,6 +238,9 @@ void addViews() {
   add("view/psf 7x7", timeViews, leaking7, 0);
   add("limit/quadrilinear", limit, plain, 2, 2);
   add("view/quadrilinear", timeViews, quadrilinear, 0);
+  add("view/pupil 64", timeViews, through64, 0);
+  add("view/pupil 64, focus behind", timeViews, behindThrough64, 0);
+  add("view/pupil 64, psf 5x5", timeViews, leaking5Through64, 0);
   add("16x16 px/nearest", smallViews, plain);
   add("16x16 px/nearest distorted", smallViews, distorted);
   add("16x16 px/psf 5x5", smallViews, leaking5);

@@ -79,6 +79,13 @@ struct Content {
   }
 };
 
+/// A point of a lens that focuses at the distance `focus`: `right` and `down` of the eye, metres.
+struct LensPoint {
+  double right = 0;
+  double down = 0;
+  double focus = 1;
+};
+
 /// The result of a ray; `unclear` if rounding decides.
 struct Ray {
   enum class Meets { nothing, display, unclear } meets;
@@ -101,7 +108,7 @@ class Simulator {
     m_down = crossProduct(m_forward, m_right);
   }
 
-  [[nodiscard]] Ray ray(double px, double py) const {
+  [[nodiscard]] Ray ray(double px, double py, const LensPoint& from = {}) const {
     const auto& [width, height] = m_job.state.camera.res;
     double fx = height / 2.0 / std::tan(m_job.state.camera.fov * degree / 2);
     double fy = fx;
@@ -117,18 +124,19 @@ class Simulator {
     const LensOracle::Point q((px - cx) / fx, (py - cy) / fy);
     const auto [k1, k2, p1, p2, k3] = m_job.state.distortion;
     const LensOracle lens(k1, k2, p1, p2, k3);
-    if (m_job.sampling.mapping == hogelscope::LensMapping::direct) return along(lens.distort(q));
+    if (m_job.sampling.mapping == hogelscope::LensMapping::direct)
+      return along(lens.distort(q), from);
     const LensOracle::Walk walk = lens.walk(q, 0.05, 0.05);
     if (walk.end == LensOracle::Walk::End::unclear) return {Ray::Meets::unclear};
     if (walk.end == LensOracle::Walk::End::fold) return {Ray::Meets::nothing};
-    return along(lens.refined(walk.point, q));
+    return along(lens.refined(walk.point, q), from);
   }
 
   /// Whether one of a pixel's rays is so near to a border, or to a fold, that rounding decides.
-  [[nodiscard]] bool isUnclear(int x, int y) const {
+  [[nodiscard]] bool isUnclear(int x, int y, const LensPoint& from = {}) const {
     const int n = m_job.sampling.samplesPerPixel;
     for (int s = 0; s < n * n; ++s)
-      if (ray(x + (s % n + 0.5) / n - 0.5, y + (s / n + 0.5) / n - 0.5).meets ==
+      if (ray(x + (s % n + 0.5) / n - 0.5, y + (s / n + 0.5) / n - 0.5, from).meets ==
           Ray::Meets::unclear)
         return true;
     return false;
@@ -181,15 +189,21 @@ class Simulator {
     return 0.5 + slope / (2 * std::tan(fov * degree / 2));
   }
 
-  /// Returns the ray through (x, y, 1) of the camera frame.
-  [[nodiscard]] Ray along(LensOracle::Point p) const {
-    Vector world{};
-    for (std::size_t k = 0; k < 3; ++k)
-      world[k] = p.real() * m_right[k] + p.imag() * m_down[k] + m_forward[k];
-    const Vector d = times(m_displayFromWorld, world);
+  /// Returns the ray from a point of the lens to where the ray from its middle through (x, y, 1) of
+  /// the camera frame meets the plane in focus.
+  [[nodiscard]] Ray along(LensOracle::Point p, const LensPoint& from) const {
+    Vector start{};
+    Vector way{};
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double offset = from.right * m_right[k] + from.down * m_down[k];
+      const double sharp =
+          from.focus * (p.real() * m_right[k] + p.imag() * m_down[k] + m_forward[k]);
+      start[k] = vector(m_job.state.camera.eye)[k] + offset;
+      way[k] = (sharp - offset) / from.focus;
+    }
     const auto& display = m_job.display;
-    const Vector o =
-        times(m_displayFromWorld, minus(vector(m_job.state.camera.eye), vector(display.position)));
+    const Vector d = times(m_displayFromWorld, way);
+    const Vector o = times(m_displayFromWorld, minus(start, vector(display.position)));
     if (o[2] <= 0 || d[2] >= 1e-9) return {Ray::Meets::nothing};
     if (d[2] > -1e-9) return {Ray::Meets::unclear};
     const double t = -o[2] / d[2];

@@ -113,8 +113,10 @@ inline RandomScene randomScene(Random& random) {
   RandomScene scene;
   scene.job.display = randomDisplay(random);
   const hogelscope::CameraParams camera = randomCamera(random, scene.job.display);
-  scene.job.state = {camera, randomIntrinsics(random, camera), randomLens(random),
-                     randomPsf(random)};
+  scene.job.state.camera = camera;
+  scene.job.state.intrinsics = randomIntrinsics(random, camera);
+  scene.job.state.distortion = randomLens(random);
+  scene.job.state.psf = randomPsf(random);
   scene.job.sampling.mapping =
       random.flip() ? hogelscope::LensMapping::exact : hogelscope::LensMapping::direct;
   fillDisplay(random, scene);

@@ -80,6 +80,22 @@ class TestTolerance : public QObject {
     QVERIFY(choice.job == job);
   }
 
+  /// Counted automatically, the samples of a pupil may be fewer; given, they stay.
+  void takesFewerSamplesOfAPupil() {
+    RenderJob job = sampleView();
+    job.state.psf.windowSize = 1;
+    job.state.pupil.diameter = 0.1;
+    job.sampling.tolerance = 3;
+    LensTables tables;
+    const Choice fewer = chooseMethod(job, tables, serialRows);
+    const auto points = [](const RenderJob& view) { return plan(view).aperture.points.size(); };
+    QVERIFY2(points(fewer.job) < points(job), qPrintable(QString::number(points(fewer.job))));
+    QVERIFY(rmse(rendered(fewer.job), rendered(job)) < fewer.limit + 0.02);
+    QVERIFY(fewer.limit <= 3);
+    job.state.pupil.samples = int(points(job));
+    QCOMPARE(chooseMethod(job, tables, serialRows).job.state.pupil, job.state.pupil);
+  }
+
   void theErrorStaysWithinTheLimit() {
     Random random(9);
     RenderJob job = sampleView();

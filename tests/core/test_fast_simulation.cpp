@@ -48,7 +48,7 @@ QString firstDifference(const RandomScene& scene, Counts& counts) {
     const int x = int(at) % fast.width;
     const int y = int(at) / fast.width;
     const std::optional<Rgb> light = reference.pixel(x, y);
-    const Rgb value = light.value_or(Rgb{});
+    const Rgb value = light.value_or(PixelLight{});
     ++counts.compared;
     counts.seen += light ? 1 : 0;
     const bool equal = fast.seen[at] == (light ? 255 : 0) &&
@@ -125,7 +125,7 @@ void TestFastSimulation::codeValuesAreTheReferences() {
     for (int y = 0; y < height; ++y) {
       fast.row(y, 0, width, rgb.data(), seen.data());
       for (int x = 0; x < width; ++x) {
-        const Rgb light = reference.pixel(x, y).value_or(Rgb{});
+        const Rgb light = reference.pixel(x, y).value_or(PixelLight{});
         const double difference = std::abs(double(rgb[3 * std::size_t(x)]) - light.r);
         QVERIFY(difference < 1e-3 || rays.isUnclear(x, y));
       }

@@ -54,6 +54,20 @@ class TestPlan : public QObject {
     QVERIFY(oneLine(job, plan(job)).ends_with("lens row by row"));
   }
 
+  void pupilsAreSampledWhereTheyMatter() {
+    RenderJob job = sampleView();
+    job.state.pupil.diameter = 1e-6;
+    QVERIFY(plan(job).aperture.isPinhole && says(job, "a pinhole"));
+    QVERIFY(plan(job).copiesTexels);
+    job.state.pupil = {0.02, 0, 7};
+    QVERIFY(says(job, "7 samples of the pupil") && !plan(job).copiesTexels);
+    QVERIFY(oneLine(job, plan(job)).find("7 samples of the pupil, ") != std::string::npos);
+    QVERIFY(worstDifference(job) <= 1);
+    job.state.pupil.samples = 0;
+    const std::string wanted = std::to_string(plan(job).aperture.wanted);
+    QVERIFY(says(job, wanted + " samples of the pupil"));
+  }
+
   void plainLensHasNoTable() {
     RenderJob job = sampleView();
     QVERIFY(!plan(job).hasLens && says(job, "no lens model"));

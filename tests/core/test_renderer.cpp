@@ -71,7 +71,7 @@ class TestRenderer : public QObject {
     for (int y = 0; y < deep.height; ++y)
       for (int x = 0; x < deep.width; ++x) {
         const std::size_t at = 3 * (std::size_t(y) * std::size_t(deep.width) + std::size_t(x));
-        const Rgb light = simulation.pixel(x, y).value_or(Rgb{});
+        const Rgb light = simulation.pixel(x, y).value_or(PixelLight{});
         QCOMPARE(int(deep.deep[at]), int(std::lround(257 * light.r)));
         QCOMPARE(int(deep.deep[at + 2]), int(std::lround(257 * light.b)));
       }

@@ -133,7 +133,7 @@ void TestSimulate::extremeStatesGiveNumbers() {
     const auto pick = [&](double usual, double low, double high) {
       return random.flip() ? usual : random.flip() ? low : high;
     };
-    auto& [camera, intrinsics, distortion, psf] = scene.job.state;
+    auto& [camera, intrinsics, distortion, psf, pupil, stereo] = scene.job.state;
     if (random.flip()) intrinsics = {};
     camera.fov = pick(camera.fov, 0.01, 179.9);
     camera.eye.z = pick(camera.eye.z, -1e6, 1e6);

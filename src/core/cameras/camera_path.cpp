@@ -46,6 +46,8 @@ CameraState between(const CameraState& from, const CameraState& to, double t) {
     const IntrinsicsParams end = givenIntrinsics(to);
     mix(fx, end.fx), mix(fy, end.fy), mix(cx, end.cx), mix(cy, end.cy);
   }
+  mix(state.pupil.diameter, to.pupil.diameter), mix(state.pupil.focus, to.pupil.focus);
+  mix(state.stereo.ipd, to.stereo.ipd);
   auto& [k1, k2, p1, p2, k3] = state.distortion;
   const DistortionParams& lens = to.distortion;
   mix(k1, lens.k1), mix(k2, lens.k2), mix(p1, lens.p1), mix(p2, lens.p2), mix(k3, lens.k3);

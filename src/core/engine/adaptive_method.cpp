@@ -122,10 +122,24 @@ double cost(const RenderJob& job) {
   const Plan made = plan(job);
   const int window = 2 * made.psfReach + 1;
   const int corners = 1 << 2 * static_cast<int>(job.sampling.reconstruction);
-  const double ray = made.copiesTexels ? copying : summing + double(corners) * window * window;
+  double ray = made.copiesTexels ? copying : summing + double(corners) * window * window;
   const double samples = job.sampling.samplesPerPixel;
   const double scale = job.method.scale;
+  if (!made.aperture.isPinhole) ray = double(made.aperture.points.size()) * (summing + ray);
   return ray * samples * samples / scale / scale + (scale > 1 ? enlarging : 0);
+}
+
+/// Returns the view's pupil, and where its samples are counted automatically, ones of fewer.
+std::vector<PupilParams> pupilsOf(const RenderJob& job) {
+  std::vector<PupilParams> pupils{job.state.pupil};
+  const Aperture aperture = plan(job).aperture;
+  if (aperture.isPinhole || job.state.pupil.samples > 0) return pupils;
+  for (int samples = int(aperture.points.size()) / 2; samples > 1; samples /= 2) {
+    pupils.push_back(job.state.pupil);
+    pupils.back().samples = samples;
+  }
+  pupils.emplace_back();
+  return pupils;
 }
 
 /// Returns all views that are cheaper in one or several respects, the cheapest first.
@@ -133,12 +147,16 @@ std::vector<RenderJob> cheaper(const RenderJob& job) {
   std::vector<double> dropped{Method{}.droppedTaps};
   for (int reach = (job.state.psf.windowSize - 1) / 2; reach-- > 0;)
     dropped.push_back(1.001 * leakageLoss(job.state.psf, reach) + Method{}.droppedTaps);
+  std::vector<std::pair<double, PupilParams>> cheaperLight;
+  for (const PupilParams& pupil : pupilsOf(job))
+    for (const double taps : dropped) cheaperLight.emplace_back(taps, pupil);
   std::vector<std::pair<double, RenderJob>> views;
   for (const int scale : {1, 2, 4})
     for (int how = 0; how <= static_cast<int>(job.sampling.reconstruction); ++how)
       for (int n = job.sampling.samplesPerPixel; n >= 1; n /= 2)
-        for (const double taps : dropped) {
+        for (const auto& [taps, pupil] : cheaperLight) {
           RenderJob candidate = job;
+          candidate.state.pupil = pupil;
           candidate.sampling.reconstruction = static_cast<Reconstruction>(how);
           candidate.sampling.samplesPerPixel = n;
           candidate.method.droppedTaps = taps;
@@ -245,13 +263,16 @@ std::string choiceText(const Choice& choice) {
   if (choice.pixels == 0) return "nothing is cheaper";
   const SamplingParams& sampling = choice.job.sampling;
   const Plan made = plan(choice.job);
+  const std::size_t points = made.aperture.points.size();
+  const std::string pupil =
+      made.aperture.isPinhole ? "" : std::to_string(points) + " samples of the pupil, ";
   std::array<char, 300> line{};
   std::snprintf(
       line.data(), line.size(),
-      "%s, %d×%d rays a pixel, %d tap(s), %s; RMS error %.3g code values over a probe of %d "
+      "%s, %d×%d rays a pixel, %s%d tap(s), %s; RMS error %.3g code values over a probe of %d "
       "pixels, at most %.3g with 99 %% confidence",
       nameOf(sampling.reconstruction).data(), sampling.samplesPerPixel, sampling.samplesPerPixel,
-      (2 * made.psfReach + 1) * (2 * made.psfReach + 1),
+      pupil.c_str(), (2 * made.psfReach + 1) * (2 * made.psfReach + 1),
       choice.job.method.scale == 1   ? "full size"
       : choice.job.method.scale == 2 ? "half size, scaled up"
                                      : "quarter size, scaled up",

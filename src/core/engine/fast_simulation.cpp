@@ -5,25 +5,9 @@
 #include <algorithm>
 #include <cstring>
 
+#include "core/engine/aperture_sum.h"
+
 namespace hogelscope {
-
-namespace {
-
-/// Gives lanes without a hit the cells of one with a hit, so that whole batches stay away from
-/// borders. Returns false if there is none.
-bool fillUnseen(int count, CellBatch& batch) {
-  const auto end = batch.seen.begin() + count;
-  if (count == batchSize && std::find(batch.seen.begin(), end, std::uint8_t{0}) == end) return true;
-  const auto hit = std::find(batch.seen.begin(), end, std::uint8_t{255});
-  if (hit == end) return false;
-  std::fill(end, batch.seen.end(), std::uint8_t{0});
-  const auto at = std::size_t(hit - batch.seen.begin());
-  for (auto& cell : batch.cell)
-    for (std::size_t k = 0; k < batchSize; ++k) cell[k] = batch.seen[k] == 0 ? cell[at] : cell[k];
-  return true;
-}
-
-}  // namespace
 
 struct FastSimulation::Scratch {
   CellBatch cells{};
@@ -64,14 +48,14 @@ void FastSimulation::copyPlainRow(int y, int x0, int x1, std::uint8_t* rgb,
   const auto [first, last] = m_rays.seenPart(y, x0, x1);
   if (first == last) return;
   std::memset(seen + (first - x0), 255, std::size_t(last - first));
-  copyHits(m_rays.map(), m_texels->layout(), byteTexels(), m_rays.plainX(first), m_rays.plainY(y),
+  copyHits(m_rays.map(0), m_texels->layout(), byteTexels(), m_rays.plainX(first), m_rays.plainY(y),
            last - first, rgb + std::ptrdiff_t(3) * (first - x0));
 }
 
 void FastSimulation::copyRow(int y, int x0, int x1, std::uint8_t* rgb, std::uint8_t* seen) const {
   const LensTable& lens = *m_rays.lens();
-  const RaySample& sample = m_rays.samples().front();
-  copyRays(m_rays.map(), m_texels->layout(), byteTexels(), lens.x(y, sample) + x0,
+  const RaySample& sample = m_rays.samplesFrom(0).front();
+  copyRays(m_rays.map(0), m_texels->layout(), byteTexels(), lens.x(y, sample) + x0,
            lens.y(y, sample) + x0, x1 - x0, rgb, seen);
 }
 
@@ -80,13 +64,15 @@ const Texel<std::uint8_t>* FastSimulation::byteTexels() const {
 }
 
 void FastSimulation::sumRow(int y, int x0, int x1, float* rgb, std::uint8_t* seen) const {
+  if (!m_rays.plan().aperture.isPinhole)
+    return ApertureSum(m_rays, *m_texels, m_filter).row(y, x0, x1, rgb, seen);
   const auto [begin, end] =
       m_rays.plan().knowsOutline ? m_rays.seenPart(y, x0, x1) : std::array{x0, x1};
   const auto scratch = std::make_unique<Scratch>();
-  const float share = 1 / static_cast<float>(m_rays.samples().size());
+  const float share = 1 / static_cast<float>(m_rays.samplesFrom(0).size());
   for (int first = begin; first < end; first += batchSize) {
     const int count = std::min(batchSize, end - first);
-    for (const RaySample& sample : m_rays.samples()) {
+    for (const RaySample& sample : m_rays.samplesFrom(0)) {
       m_rays.cells(y, first, count, sample, scratch->cells);
       if (!fillUnseen(count, scratch->cells)) continue;
       m_filter.sum(count, scratch->cells, scratch->taps, scratch->sum);

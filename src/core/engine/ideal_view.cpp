@@ -13,6 +13,11 @@ namespace {
 constexpr int stripHeight = 4;
 constexpr int stripWidth = batchSize;
 
+/// Returns the number of a pixel among those of a strip.
+constexpr std::size_t placeOf(int column, int row) {
+  return std::size_t(row) * stripWidth + std::size_t(column);
+}
+
 class IdealView {
  public:
   IdealView(const RenderJob& job, LensTables& tables, const ParallelRows& parallelRows,
@@ -25,7 +30,7 @@ class IdealView {
  private:
   /// One ray of each of the pixels that see the display, column after column.
   struct Rays {
-    std::vector<std::size_t> pixels;
+    std::vector<std::size_t> places;  ///< see placeOf()
     std::vector<Vec2> slopes;
   };
   [[nodiscard]] Rays raysOf(int x0, int x1, int y0, int y1, const RaySample& sample) const;
@@ -34,7 +39,6 @@ class IdealView {
 };
 
 IdealView::Rays IdealView::raysOf(int x0, int x1, int y0, int y1, const RaySample& sample) const {
-  const RenderJob& job = m_rays.job();
   std::array<LineBatch, stripHeight> rows;
   for (int y = y0; y < y1; ++y) m_rays.lines(y, x0, x1 - x0, sample, rows[std::size_t(y - y0)]);
   Rays rays;
@@ -42,7 +46,7 @@ IdealView::Rays IdealView::raysOf(int x0, int x1, int y0, int y1, const RaySampl
     for (int y = y0; y < y1; ++y) {
       const LineBatch& row = rows[std::size_t(y - y0)];
       if (row.seen[std::size_t(x - x0)] == 0) continue;
-      rays.pixels.push_back(std::size_t(y) * std::size_t(job.state.camera.res[0]) + std::size_t(x));
+      rays.places.push_back(placeOf(x - x0, y - y0));
       rays.slopes.push_back(row.slopes[std::size_t(x - x0)]);
     }
   return rays;
@@ -51,27 +55,39 @@ IdealView::Rays IdealView::raysOf(int x0, int x1, int y0, int y1, const RaySampl
 void IdealView::render(int x0, int x1, int y0, int y1, FloatImage& image) const {
   const RenderJob& job = m_rays.job();
   const LightModel light = job.state.psf.light;
-  std::vector<Rgb> sums(std::size_t(x1 - x0) * stripHeight);
-  const auto sumOf = [&](std::size_t pixel) -> Rgb& {
-    const auto width = std::size_t(image.width);
-    return sums[(pixel / width - std::size_t(y0)) * std::size_t(x1 - x0) + pixel % width -
-                std::size_t(x0)];
-  };
-  for (const RaySample& sample : m_rays.samples()) {
-    const Rays rays = raysOf(x0, x1, y0, y1, sample);
-    std::vector<Rgb> colours(rays.slopes.size());
-    job.lightField->trace(m_rays.eye(), rays.slopes, colours);
-    for (std::size_t k = 0; k < colours.size(); ++k) {
-      Rgb& sum = sumOf(rays.pixels[k]);
-      sum = sum + decoded(light, colours[k]);
-      image.seen[rays.pixels[k]] = 255;
+  std::vector<Rgb> sums(std::size_t{stripWidth} * stripHeight);
+  std::vector<int> seeing(sums.size());  ///< points of the aperture that see the display
+  const bool isPinhole = m_rays.plan().aperture.isPinhole;
+  for (std::size_t point = 0; point < m_rays.points(); ++point) {
+    std::vector<Rgb> ofPoint(sums.size());
+    std::vector<std::uint8_t> seen(sums.size());
+    for (const RaySample& sample : m_rays.samplesFrom(point)) {
+      const Rays rays = raysOf(x0, x1, y0, y1, sample);
+      std::vector<Rgb> colours(rays.slopes.size());
+      job.lightField->trace(m_rays.eye(point), rays.slopes, colours);
+      for (std::size_t k = 0; k < colours.size(); ++k) {
+        Rgb& sum = ofPoint[rays.places[k]];
+        sum = sum + decoded(light, colours[k]);
+        seen[rays.places[k]] = 1;
+      }
+    }
+    const double share = 1.0 / double(m_rays.samplesFrom(point).size());
+    for (std::size_t place = 0; place < sums.size(); ++place) {
+      if (seen[place] == 0) continue;
+      const Rgb mean = encoded(light, share * ofPoint[place]);
+      sums[place] = isPinhole ? mean : sums[place] + decoded(LightModel::linear, mean);
+      ++seeing[place];
     }
   }
+  const auto points = static_cast<int>(m_rays.points());
   for (int y = y0; y < y1; ++y)
     for (int x = x0; x < x1; ++x) {
+      const std::size_t place = placeOf(x - x0, y - y0);
+      if (seeing[place] == 0) continue;
       const std::size_t pixel = std::size_t(y) * std::size_t(image.width) + std::size_t(x);
-      if (image.seen[pixel] == 0) continue;
-      const Rgb colour = encoded(light, (1.0 / double(m_rays.samples().size())) * sumOf(pixel));
+      const Rgb colour =
+          isPinhole ? sums[place] : encoded(LightModel::linear, (1.0 / points) * sums[place]);
+      image.seen[pixel] = seeing[place] == points ? 255 : 0;
       image.rgb[3 * pixel] = float(colour.r);
       image.rgb[3 * pixel + 1] = float(colour.g);
       image.rgb[3 * pixel + 2] = float(colour.b);

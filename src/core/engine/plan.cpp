@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/engine/plan.h"
 
+#include <algorithm>
 #include <numeric>
 
 namespace hogelscope {
@@ -18,6 +19,14 @@ int neededReach(const PsfParams& psf, double dropped) {
   int reach = (psf.windowSize - 1) / 2;
   while (reach > 0 && leakageLoss(psf, reach - 1) < dropped) --reach;
   return reach;
+}
+
+/// Whether no point of the aperture is in front of the panel.
+bool isBehind(const Aperture& aperture, const CameraState& state, const Display& display) {
+  const RigidTransform camera = Camera(state.camera, state.intrinsics).worldFromCamera();
+  return std::ranges::none_of(aperture.points, [&](const AperturePoint& point) {
+    return display.displayFromWorld().point(fromPoint(camera, point).origin).z > 0;
+  });
 }
 
 }  // namespace
@@ -49,20 +58,22 @@ Plan plan(const RenderJob& job, const Display& display) {
   const SamplingParams& sampling = job.sampling;
   const PsfParams& psf = job.state.psf;
   Plan plan;
+  plan.aperture = apertureOf(job.state.pupil, job.state.camera, job.display, job.method.aperture);
+  const bool isPinhole = plan.aperture.isPinhole;
   plan.hasLens = !Distortion(job.state.distortion).isIdentity();
   plan.isTableKept =
       plan.hasLens &&
       LensTable::bytes(job.state.camera.res, sampling.samplesPerPixel) <= LensTables::largestBytes;
   plan.hasLinearHogels = display.lens(0).isLinear() && display.lens(1).isLinear();
-  plan.isBehind = !(display.displayFromWorld().point(job.state.camera.eye).z > 0);
-  plan.knowsOutline =
-      !plan.hasLens && sampling.samplesPerPixel == 1 && plan.hasLinearHogels && !plan.isBehind;
+  plan.isBehind = isBehind(plan.aperture, job.state, display);
+  plan.knowsOutline = !plan.hasLens && isPinhole && sampling.samplesPerPixel == 1 &&
+                      plan.hasLinearHogels && !plan.isBehind;
   plan.psfReach = psf.windowSize > 1 ? neededReach(psf, job.method.droppedTaps) : 0;
   plan.sumsTexels = plan.psfReach > 0 || sampling.samplesPerPixel > 1 ||
                     sampling.reconstruction != Reconstruction::nearest;
   plan.sumsLinear = plan.sumsTexels && psf.light == LightModel::linear;
-  plan.copiesTexels = !plan.sumsTexels && job.lightField->type() == StoredType::uint8 &&
-                      job.lightField->isInMemory();
+  plan.copiesTexels = isPinhole && !plan.sumsTexels &&
+                      job.lightField->type() == StoredType::uint8 && job.lightField->isInMemory();
   return plan;
 }
 

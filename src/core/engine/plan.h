@@ -9,13 +9,14 @@
 namespace hogelscope {
 
 struct Plan {
+  Aperture aperture;             ///< the points from which the view is taken
   bool hasLens = false;          ///< rays go through the lens model
   bool isTableKept = false;      ///< its rays are kept in a table
   bool hasLinearHogels = false;  ///< hits are affine in the rays' slopes
   bool isBehind = false;         ///< the eye is not in front of the panel, so there are no rays
   bool knowsOutline = false;  ///< the columns of each row that see the display are known beforehand
   int psfReach = 0;           ///< taps on each side: (windowSize - 1) / 2, or fewer
-  bool sumsTexels = false;    ///< a pixel is more than one texel
+  bool sumsTexels = false;    ///< the light from one point of the aperture is of several texels
   bool sumsLinear = false;    ///< light is decoded before it is summed
   bool copiesTexels = false;  ///< each pixel is one stored texel of 8 bits, in memory
 };

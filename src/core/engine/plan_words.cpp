@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/engine/plan_words.h"
 
+#include <cmath>
+
 #include "core/base/text.h"
 
 namespace hogelscope {
@@ -59,6 +61,28 @@ Decision leakageDecision(const RenderJob& job, const Plan& plan) {
           std::to_string(square(windowReach) - square(plan.psfReach)) + " taps for each ray"};
 }
 
+/// Returns how a pupil's light spreads: "3.56 directions of a hogel enter it and 0.8 hogels blur".
+std::string spreadWords(const Aperture& aperture) {
+  return numberText(std::round(100 * aperture.directions) / 100) +
+         " directions of a hogel enter it, and a point is blurred over " +
+         numberText(std::round(100 * aperture.hogels) / 100) + " hogels";
+}
+
+Decision pupilDecision(const PupilParams& pupil, const Aperture& aperture) {
+  const std::string focus =
+      ", focused at " + numberText(std::round(1e4 * aperture.focus) / 1e4) + " m";
+  if (aperture.isPinhole)
+    return {"a pinhole", "the pupil changes nothing: " + spreadWords(aperture),
+            "the samples of the pupil"};
+  std::string why = "the state says so; the display needs " + std::to_string(aperture.wanted);
+  if (pupil.samples == 0)
+    why = aperture.wanted > Aperture::mostSamples
+              ? "the most that are taken; the display needs " + std::to_string(aperture.wanted)
+              : "as many as the display needs";
+  return {std::to_string(aperture.points.size()) + " samples of the pupil" + focus,
+          why + ": " + spreadWords(aperture), ""};
+}
+
 }  // namespace
 
 std::vector<Decision> decisionsOf(const RenderJob& job, const Plan& plan) {
@@ -66,6 +90,8 @@ std::vector<Decision> decisionsOf(const RenderJob& job, const Plan& plan) {
   if (job.method.isSingle)
     decisions.push_back({"rays in single precision", "the method says so", ""});
   decisions.push_back(lensDecision(job, plan));
+  if (job.state.pupil.diameter > 0)
+    decisions.push_back(pupilDecision(job.state.pupil, plan.aperture));
   if (plan.isBehind)
     decisions.push_back({"no rays at all", "the eye is not in front of the panel", raysOf(job)});
   if (plan.knowsOutline)
@@ -76,7 +102,7 @@ std::vector<Decision> decisionsOf(const RenderJob& job, const Plan& plan) {
   if (plan.copiesTexels)
     decisions.push_back(
         {"texels are copied", "nothing is summed and they have 8 bits", "all arithmetic on light"});
-  if (!plan.sumsTexels && job.state.psf.light == LightModel::linear)
+  if (plan.aperture.isPinhole && !plan.sumsTexels && job.state.psf.light == LightModel::linear)
     decisions.push_back(
         {"no decoding to linear light", "nothing is summed", "two conversions for each ray"});
   return decisions;
@@ -87,6 +113,8 @@ std::string oneLine(const RenderJob& job, const Plan& plan) {
   const auto square = [](int width) { return std::to_string(width * width); };
   std::string line(nameOf(job.sampling.reconstruction));
   line += ", " + square(n) + (n == 1 ? " ray" : " rays") + " a pixel, ";
+  if (!plan.aperture.isPinhole)
+    line += std::to_string(plan.aperture.points.size()) + " samples of the pupil, ";
   if (job.state.psf.windowSize == 1)
     line += "no leakage, ";
   else

@@ -267,4 +267,16 @@ void findCells(const HitMap& map, const double* x, const double* y, int count, C
     curvedCells<double>(map, x, y, count, batch);
 }
 
+bool fillUnseen(int count, CellBatch& batch) {
+  const auto end = batch.seen.begin() + count;
+  if (count == batchSize && std::find(batch.seen.begin(), end, std::uint8_t{0}) == end) return true;
+  const auto hit = std::find(batch.seen.begin(), end, std::uint8_t{255});
+  if (hit == end) return false;
+  std::fill(end, batch.seen.end(), std::uint8_t{0});
+  const auto at = std::size_t(hit - batch.seen.begin());
+  for (auto& cell : batch.cell)
+    for (std::size_t k = 0; k < batchSize; ++k) cell[k] = batch.seen[k] == 0 ? cell[at] : cell[k];
+  return true;
+}
+
 }  // namespace hogelscope

@@ -34,6 +34,10 @@ struct CellBatch {
   std::array<std::uint8_t, batchSize> seen;
 };
 
+/// Gives lanes without a hit the cells of one with a hit, so that whole batches stay away from
+/// borders. Returns false if there is none.
+bool fillUnseen(int count, CellBatch& batch);
+
 /// Copies the texels of rays that are known to hit, by a map of linear hogel lenses, from a light
 /// field that is all in memory: three bytes each. A coordinate that rounding has put on a border
 /// belongs to the last cell.

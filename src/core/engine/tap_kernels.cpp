@@ -3,6 +3,7 @@
 #include "core/engine/tap_kernels.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/base/multiversioned.h"
 #include "core/optics/psf.h"
@@ -85,6 +86,45 @@ inline __attribute__((always_inline)) void sumTaps(const Texel<T>* texels, const
   }
 }
 
+/// A function of 0 … 1 at equally spaced places, linear between them.
+class LinearTable {
+ public:
+  template <class Function>
+  explicit LinearTable(Function function) {
+    for (std::size_t k = 0; k < m_values.size(); ++k)
+      m_values[k] = static_cast<float>(function(double(k) / steps));
+  }
+  [[nodiscard]] float operator()(float x) const {
+    const float place = x * float(steps);
+    const auto left = static_cast<std::int32_t>(place);
+    const float share = place - static_cast<float>(left);
+    return (1 - share) * m_values[std::size_t(left)] + share * m_values[std::size_t(left) + 1];
+  }
+
+ private:
+  static constexpr std::size_t steps = 4096;
+  std::array<float, steps + 2> m_values{};
+};
+
+/// Whether all values of a batch lie in 0 … most, where tables know the functions.
+bool areWithin(const std::array<float, batchSize>& values, float most) {
+  bool result = true;
+  for (const float value : values) result &= value >= 0 && value <= most;
+  return result;
+}
+
+/// Replaces all values: by a table if they are in its range, otherwise by the function itself.
+template <class Table, class Function>
+inline __attribute__((always_inline)) void convert(LightBatch& light, float most, Table table,
+                                                   Function function) {
+  for (auto* const channel : {&light.r, &light.g, &light.b}) {
+    if (areWithin(*channel, most))
+      for (float& value : *channel) value = table(value);
+    else
+      for (float& value : *channel) value = static_cast<float>(function(double(value)));
+  }
+}
+
 }  // namespace
 
 MULTIVERSIONED
@@ -112,6 +152,26 @@ void quantise(const float* codeValues, int count, std::uint8_t* bytes) {
     const std::int32_t up = value - static_cast<float>(whole) >= 0.5F ? 1 : 0;
     bytes[k] = static_cast<std::uint8_t>(whole + up);
   }
+}
+
+MULTIVERSIONED
+void decode(LightBatch& light) {
+  static const LinearTable table([](double x) { return linearFromEncoded(255 * x); });
+  const LinearTable* const known = &table;
+  convert(
+      light, 255, [known](float code) { return (*known)(code / 255); }, linearFromEncoded);
+}
+
+MULTIVERSIONED
+void encodeMean(LightBatch& sum, int count) {
+  // The encoding is nearly linear in the square root.
+  static const LinearTable table([](double root) { return encodedFromLinear(root * root); });
+  const LinearTable* const known = &table;
+  const float share = 1 / static_cast<float>(count);
+  for (auto* const channel : {&sum.r, &sum.g, &sum.b})
+    for (float& value : *channel) value *= share;
+  convert(
+      sum, 1, [known](float light) { return (*known)(std::sqrt(light)); }, encodedFromLinear);
 }
 
 MULTIVERSIONED

@@ -38,6 +38,12 @@ struct TapBatch {
   const std::uint32_t* ahead = nullptr;
 };
 
+/// Converts code values to linear light, and the mean of `count` sums of linear light to code
+/// values, of all lanes. A result differs from linearFromEncoded() or encodedFromLinear() by less
+/// than 1e-4 of its range of code values.
+void decode(LightBatch& light);
+void encodeMean(LightBatch& sum, int count);
+
 /// Adds the weighted code values of the taps (encoded light).
 void accumulate(const Texel<std::uint8_t>* texels, const TapBatch& taps, int count,
                 LightBatch& sum);

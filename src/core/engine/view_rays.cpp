@@ -17,7 +17,18 @@ HitMap hitMapOf(const RigidTransform& displayFromCamera, const Display& display)
   map.down = list(displayFromCamera.yAxis);
   map.forward = list(displayFromCamera.zAxis);
   map.panel = display.mapFrom(displayFromCamera.origin);
+  // From a point that is not in front of the panel nothing is seen.
+  if (!(displayFromCamera.origin.z > 0)) map.panel.count = {};
   return map;
+}
+
+ApertureMiddle middleOf(const RigidTransform& displayFromCamera, const Display& display) {
+  const Vec3 eye = displayFromCamera.origin;
+  ApertureMiddle middle{hitMapOf(displayFromCamera, display), eye, {}};
+  const PanelMap beside = display.mapFrom(eye + Vec3{1, 1, 0});
+  for (std::size_t axis = 0; axis < 4; ++axis)
+    middle.perMetre[axis] = beside.constant[axis] - middle.map.panel.constant[axis];
+  return middle;
 }
 
 /// Returns the part of [low, high] where constant + slope·x ≥ 0.
@@ -71,18 +82,21 @@ void markBox(const std::array<CellRange, 4>& box, const SliceLayout& layout,
 
 ViewRays::ViewRays(const RenderJob& job, LensTables& tables, const ParallelRows& parallelRows,
                    const Progress& progress)
-    : m_job(job),
-      m_progress(forThreads(progress)),
-      m_display(job.display),
-      m_samples(samplesOf(job.sampling.samplesPerPixel)) {
+    : m_job(job), m_progress(forThreads(progress)), m_display(job.display) {
   const Camera camera(job.state.camera, job.state.intrinsics);
   checkContent(job);
   m_plan = hogelscope::plan(job, m_display);
   m_lensKey = lensKeyOf(camera, job.state, job.sampling, job.method);
-  const RigidTransform displayFromCamera = m_display.displayFromWorld() * camera.worldFromCamera();
-  m_eye = displayFromCamera.origin;
-  m_map = hitMapOf(displayFromCamera, m_display);
-  m_map.isSingle = job.method.isSingle;
+  m_samples = samplesOf(job.sampling.samplesPerPixel, m_plan.aperture.points.size());
+  for (const AperturePoint& point : m_plan.aperture.points) {
+    const RigidTransform displayFromPoint =
+        m_display.displayFromWorld() * fromPoint(camera.worldFromCamera(), point);
+    m_eyes.push_back(displayFromPoint.origin);
+    m_maps.push_back(hitMapOf(displayFromPoint, m_display));
+    m_maps.back().isSingle = job.method.isSingle;
+  }
+  if (!m_plan.aperture.isPinhole)
+    m_middle = middleOf(m_display.displayFromWorld() * camera.worldFromCamera(), m_display);
   for (int x = 0; x < job.state.camera.res[0]; ++x)
     m_x.push_back((x - m_lensKey.centre.x) / m_lensKey.focalLength.x);
   if (m_plan.isTableKept && !seesNothing())
@@ -93,17 +107,17 @@ ViewRays::ViewRays(const RenderJob& job, LensTables& tables, const ParallelRows&
 /// Returns the columns of a row whose rays hit, for a plain lens: each condition of a hit is linear
 /// in x once it is multiplied by the direction's z.
 std::array<int, 2> ViewRays::seenPart(int y, int x0, int x1) const {
+  const HitMap& map = m_maps.front();
   const double py = plainY(y);
-  const auto at = [&](std::size_t c) { return m_map.down[c] * py + m_map.forward[c]; };
+  const auto at = [&](std::size_t c) { return map.down[c] * py + map.forward[c]; };
   std::array<double, 2> part{m_x[std::size_t(x0)], m_x[std::size_t(x1 - 1)]};
-  clip(-at(2), -m_map.right[2], part);
+  clip(-at(2), -map.right[2], part);
   for (std::size_t axis = 0; axis < 4; ++axis) {
     const std::size_t c = axis % 2;
-    for (const auto& [border, sign] :
-         {std::pair{0, -1.0}, std::pair{m_map.panel.count[axis], 1.0}}) {
-      const double constant = m_map.panel.constant[axis] - border;
-      clip(sign * (constant * at(2) + m_map.panel.slope[axis] * at(c)),
-           sign * (constant * m_map.right[2] + m_map.panel.slope[axis] * m_map.right[c]), part);
+    for (const auto& [border, sign] : {std::pair{0, -1.0}, std::pair{map.panel.count[axis], 1.0}}) {
+      const double constant = map.panel.constant[axis] - border;
+      clip(sign * (constant * at(2) + map.panel.slope[axis] * at(c)),
+           sign * (constant * map.right[2] + map.panel.slope[axis] * map.right[c]), part);
     }
   }
   if (!(part[0] <= part[1])) return {x0, x0};
@@ -113,7 +127,7 @@ std::array<int, 2> ViewRays::seenPart(int y, int x0, int x1) const {
   // The ends are decided by the ray itself, not by the rounding of the division above.
   const auto isUnseen = [&](int x) {
     CellBatch batch;
-    findCells(m_map, plainX(x), &py, 1, batch);
+    findCells(map, plainX(x), &py, 1, batch);
     return batch.seen[0] == 0;
   };
   while (first < last && isUnseen(first)) ++first;
@@ -133,7 +147,7 @@ std::int64_t ViewRays::count() const {
   return seen;
 }
 
-void ViewRays::points(int y, int x0, int count, const RaySample& sample, Points& points) const {
+void ViewRays::ideals(int y, int x0, int count, const RaySample& sample, IdealBatch& points) const {
   throwIfCancelled(m_progress);
   points.x = points.madeX.data();
   points.y = points.madeY.data();
@@ -148,29 +162,31 @@ void ViewRays::points(int y, int x0, int count, const RaySample& sample, Points&
   }
 }
 
-void ViewRays::cellsOf(const Points& points, int count, CellBatch& batch) const {
+void ViewRays::cellsOf(const IdealBatch& ideals, int count, std::size_t point,
+                       CellBatch& batch) const {
   if (seesNothing())
     std::fill_n(batch.seen.begin(), count, std::uint8_t{0});
   else
-    findCells(m_map, points.x, points.y, count, batch);
+    findCells(m_maps[point], ideals.x, ideals.y, count, batch);
 }
 
 void ViewRays::cells(int y, int x0, int count, const RaySample& sample, CellBatch& batch) const {
-  Points made;
-  if (!seesNothing()) points(y, x0, count, sample, made);
-  cellsOf(made, count, batch);
+  IdealBatch made;
+  if (!seesNothing()) ideals(y, x0, count, sample, made);
+  cellsOf(made, count, sample.point, batch);
 }
 
 void ViewRays::lines(int y, int x0, int count, const RaySample& sample, LineBatch& batch) const {
-  Points made;
+  IdealBatch made;
   CellBatch found;
-  if (!seesNothing()) points(y, x0, count, sample, made);
-  cellsOf(made, count, found);
+  if (!seesNothing()) ideals(y, x0, count, sample, made);
+  cellsOf(made, count, sample.point, found);
+  const HitMap& map = m_maps[sample.point];
   batch.seen = found.seen;
   for (std::size_t k = 0; k < std::size_t(count); ++k) {
     if (batch.seen[k] == 0) continue;
     const auto along = [&](std::size_t c) {
-      return made.x[k] * m_map.right[c] + made.y[k] * m_map.down[c] + m_map.forward[c];
+      return made.x[k] * map.right[c] + made.y[k] * map.down[c] + map.forward[c];
     };
     batch.slopes[k] = {along(0) / along(2), along(1) / along(2)};
   }
@@ -182,50 +198,63 @@ Footprint ViewRays::footprint(int y, int x0, int x1) const {
   return result;
 }
 
+/// Calls `use` with the cells of all rays of pixels [x0, x1), batch after batch.
+template <class Use>
+void ViewRays::eachBatch(int y, int x0, int x1, const Use& use) const {
+  if (seesNothing()) return;
+  IdealBatch made;
+  CellBatch batch;
+  for (int x = x0; x < x1; x += batchSize) {
+    const int count = std::min(batchSize, x1 - x);
+    for (const RaySample& sample : samplesFrom(0)) {
+      ideals(y, x, count, sample, made);
+      for (std::size_t point = 0; point < points(); ++point) {
+        cellsOf(made, count, point, batch);
+        use(static_cast<std::size_t>(count), batch);
+      }
+    }
+  }
+}
+
 void ViewRays::addFootprint(int y, int x0, int x1, Footprint& result) const {
   const auto [nx, ny, du, dv] = m_display.size();
   const Reconstruction reconstruction = m_job.sampling.reconstruction;
   const Reach reach{reconstruction == Reconstruction::quadrilinear ? 1 : 0,
                     m_plan.psfReach + (reconstruction == Reconstruction::nearest ? 0 : 1)};
-  CellBatch batch;
-  for (int x = x0; x < x1; x += batchSize)
-    for (const RaySample& sample : m_samples) {
-      const int count = std::min(batchSize, x1 - x);
-      cells(y, x, count, sample, batch);
-      for (std::size_t k = 0; k < std::size_t(count); ++k) {
-        if (batch.seen[k] == 0) continue;
-        widen(result.u, int(batch.cell[0][k]), int(batch.cell[2][k]), reach, du);
-        widen(result.v, int(batch.cell[1][k]), int(batch.cell[3][k]), reach, dv);
-      }
+  eachBatch(y, x0, x1, [&](std::size_t count, const CellBatch& batch) {
+    for (std::size_t k = 0; k < count; ++k) {
+      if (batch.seen[k] == 0) continue;
+      widen(result.u, int(batch.cell[0][k]), int(batch.cell[2][k]), reach, du);
+      widen(result.v, int(batch.cell[1][k]), int(batch.cell[3][k]), reach, dv);
     }
+  });
 }
 
 void ViewRays::mark(int y, const SliceLayout& layout, std::vector<std::uint8_t>& marks) const {
   const int width = m_job.state.camera.res[0];
   const bool areDirections = m_job.sampling.reconstruction != Reconstruction::nearest;
   const bool areHogels = m_job.sampling.reconstruction == Reconstruction::quadrilinear;
-  CellBatch batch;
-  for (int x = 0; x < width; x += batchSize)
-    for (const RaySample& sample : m_samples) {
-      const int count = std::min(batchSize, width - x);
-      cells(y, x, count, sample, batch);
-      for (std::size_t k = 0; k < std::size_t(count); ++k) {
-        if (batch.seen[k] == 0) continue;
-        std::array<CellRange, 4> box;
-        for (std::size_t axis = 0; axis < 4; ++axis)
-          box[axis] = cellsRead(batch.cell[axis][k], batch.place[axis][k],
-                                axis < 2 ? areHogels : areDirections,
-                                axis < 2 ? 0 : m_plan.psfReach, m_map.panel.count[axis]);
-        markBox(box, layout, marks);
-      }
+  const auto [nx, ny, du, dv] = m_display.size();
+  const std::array counts{nx, ny, du, dv};
+  eachBatch(y, 0, width, [&](std::size_t count, const CellBatch& batch) {
+    for (std::size_t k = 0; k < count; ++k) {
+      if (batch.seen[k] == 0) continue;
+      std::array<CellRange, 4> box;
+      for (std::size_t axis = 0; axis < 4; ++axis)
+        box[axis] = cellsRead(batch.cell[axis][k], batch.place[axis][k],
+                              axis < 2 ? areHogels : areDirections, axis < 2 ? 0 : m_plan.psfReach,
+                              counts[axis]);
+      markBox(box, layout, marks);
     }
+  });
 }
 
 /// Whether hogel columns and u depend on the pixel's column alone, hogel rows and v on its row: the
 /// view then reads its whole footprint.
 bool ViewRays::isSeparable() const {
-  return !m_plan.hasLens && m_map.right[1] == 0 && m_map.right[2] == 0 && m_map.down[0] == 0 &&
-         m_map.down[2] == 0;
+  const HitMap& map = m_maps.front();
+  return !m_plan.hasLens && points() == 1 && map.right[1] == 0 && map.right[2] == 0 &&
+         map.down[0] == 0 && map.down[2] == 0;
 }
 
 ViewReads ViewRays::reads(const ParallelRows& parallelRows) const {

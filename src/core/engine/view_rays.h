@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "core/base/parallel.h"
@@ -34,6 +35,21 @@ struct LineBatch {
   std::array<std::uint8_t, batchSize> seen;
 };
 
+/// The ideal points of a batch, of the plane z = 1, in madeX and madeY or elsewhere.
+struct IdealBatch {
+  std::array<double, batchSize> madeX;
+  std::array<double, batchSize> madeY;
+  const double* x = nullptr;
+  const double* y = nullptr;
+};
+
+/// The middle of an aperture, which is the eye.
+struct ApertureMiddle {
+  HitMap map;                        ///< as from a point there
+  Vec3 eye;                          ///< in the display frame, metres
+  std::array<double, 4> perMetre{};  ///< what the map's constants grow by as the eye moves
+};
+
 class ViewRays {
  public:
   /// `tables` keeps lens tables between views. `progress` is kept and called wherever casting takes
@@ -45,14 +61,21 @@ class ViewRays {
   [[nodiscard]] const RenderJob& job() const { return m_job; }
   [[nodiscard]] const Plan& plan() const { return m_plan; }
   [[nodiscard]] const Progress& progress() const { return m_progress; }
-  /// Whether the eye is not in front of the panel.
+  /// Whether no point of the aperture is in front of the panel.
   [[nodiscard]] bool seesNothing() const { return m_plan.isBehind; }
-  /// Returns the eye in the display frame, metres.
-  [[nodiscard]] const Vec3& eye() const { return m_eye; }
-  /// Returns the rays of a pixel.
-  [[nodiscard]] const std::vector<RaySample>& samples() const { return m_samples; }
-  /// Returns the map from ideal points to cells.
-  [[nodiscard]] const HitMap& map() const { return m_map; }
+  /// Returns a point of the aperture in the display frame, metres; the eye, for a pinhole.
+  [[nodiscard]] const Vec3& eye(std::size_t point) const { return m_eyes[point]; }
+  /// Returns the number of points of the aperture: 1 for a pinhole.
+  [[nodiscard]] std::size_t points() const { return m_maps.size(); }
+  /// Returns the rays of a pixel from one point of the aperture.
+  [[nodiscard]] std::span<const RaySample> samplesFrom(std::size_t point) const {
+    const std::size_t each = m_samples.size() / points();
+    return std::span(m_samples).subspan(point * each, each);
+  }
+  /// Returns the middle of the aperture, for a view that is not a pinhole's.
+  [[nodiscard]] const ApertureMiddle& middle() const { return m_middle; }
+  /// Returns the map from ideal points to cells, from a point of the aperture.
+  [[nodiscard]] const HitMap& map(std::size_t point) const { return m_maps[point]; }
   /// Returns the lens table; null for a plain lens, or if it would be too large.
   [[nodiscard]] const LensTable* lens() const { return m_lens.get(); }
   [[nodiscard]] const LensKey& lensKey() const { return m_lensKey; }
@@ -70,6 +93,10 @@ class ViewRays {
   /// Finds the cells that one ray of each of the pixels [x0, x0 + count) of row y meets; at most a
   /// batch. Thread-safe, as lines() is.
   void cells(int y, int x0, int count, const RaySample& sample, CellBatch& batch) const;
+  /// Finds the ideal points of the same rays, which the point of the aperture does not change.
+  void ideals(int y, int x0, int count, const RaySample& sample, IdealBatch& batch) const;
+  /// Finds the cells that the rays through them meet from a point of the aperture.
+  void cellsOf(const IdealBatch& ideals, int count, std::size_t point, CellBatch& batch) const;
   /// Finds the slopes dx/dz, dy/dz in the display frame of the same rays.
   void lines(int y, int x0, int count, const RaySample& sample, LineBatch& batch) const;
   /// Returns the texels that pixels [x0, x1) of row y may read, interpolation and leakage included.
@@ -80,15 +107,8 @@ class ViewRays {
   [[nodiscard]] ViewReads reads(const ParallelRows& parallelRows) const;
 
  private:
-  /// The points of the plane z = 1 of a batch, in madeX and madeY or elsewhere.
-  struct Points {
-    std::array<double, batchSize> madeX;
-    std::array<double, batchSize> madeY;
-    const double* x = nullptr;
-    const double* y = nullptr;
-  };
-  void points(int y, int x0, int count, const RaySample& sample, Points& points) const;
-  void cellsOf(const Points& points, int count, CellBatch& batch) const;
+  template <class Use>
+  void eachBatch(int y, int x0, int x1, const Use& use) const;
   void addFootprint(int y, int x0, int x1, Footprint& footprint) const;
   [[nodiscard]] bool isSeparable() const;
   [[nodiscard]] Footprint separableFootprint() const;
@@ -100,8 +120,9 @@ class ViewRays {
   std::vector<RaySample> m_samples;
   Plan m_plan;
   LensKey m_lensKey;
-  HitMap m_map;
-  Vec3 m_eye;
+  std::vector<HitMap> m_maps;  ///< for each point of the aperture
+  std::vector<Vec3> m_eyes;    ///< the same
+  ApertureMiddle m_middle;
   std::shared_ptr<const LensTable> m_lens;
   std::optional<LensRays> m_rays;  ///< if they are not kept in a table
   std::vector<double> m_x;         ///< ideal x of each pixel column, plain lens

@@ -90,6 +90,13 @@ void describe(ParameterVisitor& v, IntrinsicsParams& p) {
   v.field({"cy", "Centre, y"}, cy, {-1e6, 1e6, 1, true}, "px", "The same, from the top.");
 }
 
+void describe(ParameterVisitor& v, StereoParams& p) {
+  auto& [ipd] = p;
+  v.group("stereo", "Two eyes, to the left and right of the state's, which is then the head's.");
+  v.field({"ipd", "Eye distance"}, ipd, {0, 1, 0.001, false, 0, 0.08}, "m",
+          "Between the pupils: 0.063 for most people; 0: one eye.");
+}
+
 bool hasFrame(const CameraParams& p) {
   return length(rightOf(p)) > 1e-9;  // below this the roll is rounding noise
 }

@@ -42,6 +42,14 @@ struct IntrinsicsParams {
 
 void describe(ParameterVisitor& v, IntrinsicsParams& p);
 
+/// A state's `stereo`: the state is a head with two eyes, see eyes.h.
+struct StereoParams {
+  double ipd = 0;  ///< the distance between the pupils, metres; 0: one eye
+  bool operator==(const StereoParams&) const = default;
+};
+
+void describe(ParameterVisitor& v, StereoParams& p);
+
 /// A pinhole camera: +x right, +y down, +z forward; pixel centres at integers, the axis through
 /// ((w-1)/2, (h-1)/2) unless the intrinsics say otherwise.
 class Camera {

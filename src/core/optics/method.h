@@ -3,6 +3,8 @@
 // tolerance chooses.
 #pragma once
 
+#include "core/optics/aperture.h"
+
 namespace hogelscope {
 
 /// The inverse of the lens that finds the rays of the exact mapping.
@@ -20,6 +22,7 @@ struct Method {
   bool isSingle = false;      ///< float instead of double, from the ray to hogel and direction
   double droppedTaps = 1e-3;  ///< drops leakage taps that change a pixel by less, code values
   int scale = 1;              ///< 1, 2 or 4: one pixel in scale × scale is rendered
+  AperturePattern aperture = AperturePattern::vogel;  ///< the points of the pupil
   bool operator==(const Method&) const = default;
 };
 

@@ -22,9 +22,11 @@ void describe(ParameterVisitor& v, SamplingParams& p) {
           "RMS error up to which a cheaper way to the picture is taken; 0: none.");
 }
 
-std::vector<RaySample> samplesOf(int n) {
+std::vector<RaySample> samplesOf(int n, std::size_t points) {
   std::vector<RaySample> samples;
-  for (int k = 0; k < n * n; ++k) samples.push_back({k, {(k % n + 0.5) / n, (k / n + 0.5) / n}});
+  for (std::size_t point = 0; point < points; ++point)
+    for (int k = 0; k < n * n; ++k)
+      samples.push_back({k, {(k % n + 0.5) / n, (k / n + 0.5) / n}, point});
   return samples;
 }
 

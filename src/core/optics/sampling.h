@@ -24,12 +24,13 @@ void describe(ParameterVisitor& v, SamplingParams& p);
 
 /// One of the rays of a pixel.
 struct RaySample {
-  int index = 0;         ///< among the pixel's rays
-  Vec2 place{0.5, 0.5};  ///< position in the pixel, 0 … 1 from its upper left corner
+  int index = 0;          ///< among the pixel's rays
+  Vec2 place{0.5, 0.5};   ///< position in the pixel, 0 … 1 from its upper left corner
+  std::size_t point = 0;  ///< of the aperture
 };
 
-/// Returns the n × n rays of a pixel, row after row.
-std::vector<RaySample> samplesOf(int n);
+/// Returns the n × n rays of a pixel, row after row, for each point of the aperture.
+std::vector<RaySample> samplesOf(int n, std::size_t points = 1);
 
 /// Returns the name used in documents.
 std::string_view nameOf(Reconstruction reconstruction);

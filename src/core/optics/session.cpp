@@ -9,6 +9,7 @@
 #include "core/base/error.h"
 #include "core/base/plugin_params.h"
 #include "core/base/text.h"
+#include "core/optics/eyes.h"
 #include "core/optics/state_name.h"
 
 namespace hogelscope {
@@ -17,6 +18,30 @@ namespace {
 
 std::string statePath(std::size_t index) {
   return "cameras[" + std::to_string(index) + "]";
+}
+
+/// Throws if a state's files would be those of an eye of another state.
+void checkEyeNames(const std::vector<CameraState>& states,
+                   const std::map<std::u32string, std::size_t>& places) {
+  for (const CameraState& head : states) {
+    if (!(head.stereo.ipd > 0)) continue;
+    for (const Eye eye : {Eye::left, Eye::right}) {
+      const std::string file = head.camera.name + "." + std::string(nameOf(eye));
+      const auto same = places.find(caseFolded(file));
+      if (same != places.end())
+        throw InputError(statePath(same->second) + ".name",
+                         "\"" + states[same->second].camera.name + "\" names the file of the " +
+                             std::string(nameOf(eye)) + " eye of \"" + head.camera.name +
+                             "\": give it another name");
+    }
+  }
+}
+
+/// Throws if a state's pupil is focused on the panel, which its axis does not meet.
+void checkFocus(const CameraState& state, const DisplayParams& display, const std::string& path) {
+  const PupilParams& pupil = state.pupil;
+  if (pupil.diameter > 0 && !(pupil.focus > 0) && !(axisDistance(state.camera, display) > 0))
+    throw InputError(path + ".pupil.focus", noFocusOnPanel);
 }
 
 void checkMetrics(const std::vector<std::string>& names) {
@@ -76,6 +101,7 @@ void check(const Session& session) {
   for (std::size_t index = 0; index < session.cameras.size(); ++index) {
     const CameraState& state = session.cameras[index];
     check(state, statePath(index));
+    checkFocus(state, session.display, statePath(index));
     const auto [first, isNew] = seen.emplace(caseFolded(state.camera.name), index);
     if (isNew) continue;
     const std::string& other = session.cameras[first->second].camera.name;
@@ -85,6 +111,7 @@ void check(const Session& session) {
                          "; every state has a name of its own" +
                          (other == state.camera.name ? "" : ", whatever its case"));
   }
+  checkEyeNames(session.cameras, seen);
 }
 
 std::vector<std::string> warnings(const Session& session) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/light_field/light_field.h"
+#include "core/optics/aperture.h"
 #include "core/optics/camera.h"
 #include "core/optics/distortion.h"
 #include "core/optics/psf.h"
@@ -20,6 +21,8 @@ struct CameraState {
   IntrinsicsParams intrinsics;
   DistortionParams distortion;
   PsfParams psf;
+  PupilParams pupil;
+  StereoParams stereo;
   bool operator==(const CameraState&) const = default;
 };
 

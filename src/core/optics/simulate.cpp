@@ -46,15 +46,16 @@ Simulation::Simulation(RenderJob job)
       m_distortion(m_job.state.distortion),
       m_psf(m_job.state.psf),
       m_samples(samplesOf(m_job.sampling.samplesPerPixel)),
-      m_displayFromCamera(m_display.displayFromWorld() * m_camera.worldFromCamera()) {
+      m_aperture(
+          apertureOf(m_job.state.pupil, m_job.state.camera, m_job.display, m_job.method.aperture)) {
   checkContent(m_job);
+  for (const AperturePoint& point : m_aperture.points)
+    m_displayFromPoint.push_back(m_display.displayFromWorld() *
+                                 fromPoint(m_camera.worldFromCamera(), point));
 }
 
-std::optional<Hit> Simulation::hitOf(double px, double py) const {
-  const std::optional<Vec2> p =
-      idealPoint(m_distortion, m_job.sampling.mapping, m_camera.normalised(px, py));
-  if (!p) return std::nullopt;
-  return m_display.hit(m_displayFromCamera.origin, m_displayFromCamera.direction({p->x, p->y, 1}));
+std::optional<Hit> Simulation::hitOf(const Vec2& ideal, const RigidTransform& from) const {
+  return m_display.hit(from.origin, from.direction({ideal.x, ideal.y, 1}));
 }
 
 Rgb Simulation::reconstructed(const Hit& hit) const {
@@ -81,30 +82,45 @@ Rgb Simulation::reconstructed(const Hit& hit) const {
   return sum;
 }
 
-std::optional<Rgb> Simulation::ray(double px, double py) const {
-  const std::optional<Hit> hit = hitOf(px, py);
-  if (!hit) return std::nullopt;
-  return reconstructed(*hit);
-}
-
-std::optional<Rgb> Simulation::pixel(int x, int y) const {
+/// Averages the pixel's rays from one point of the aperture.
+std::optional<Rgb> Simulation::lightFrom(const RigidTransform& point, int x, int y) const {
   bool seen = false;
   Rgb sum;
   for (const RaySample& sample : m_samples) {
-    const std::optional<Rgb> light = ray(x + sample.place.x - 0.5, y + sample.place.y - 0.5);
-    seen = seen || light;
-    if (light) sum = sum + *light;
+    const Vec2 onSensor = m_camera.normalised(x + sample.place.x - 0.5, y + sample.place.y - 0.5);
+    const std::optional<Vec2> ideal = idealPoint(m_distortion, m_job.sampling.mapping, onSensor);
+    const std::optional<Hit> hit = ideal ? hitOf(*ideal, point) : std::nullopt;
+    seen = seen || hit;
+    if (hit) sum = sum + reconstructed(*hit);
   }
   if (!seen) return std::nullopt;
   const auto rays = double(m_samples.size());
   return encoded(m_job.state.psf.light, {sum.r / rays, sum.g / rays, sum.b / rays});
 }
 
+std::optional<PixelLight> Simulation::pixel(int x, int y) const {
+  if (m_aperture.isPinhole) {
+    const std::optional<Rgb> light = lightFrom(m_displayFromPoint.front(), x, y);
+    return light ? std::optional(PixelLight{*light}) : std::nullopt;
+  }
+  Rgb sum;
+  std::size_t seeing = 0;
+  for (const RigidTransform& point : m_displayFromPoint) {
+    const std::optional<Rgb> light = lightFrom(point, x, y);
+    if (!light) continue;
+    ++seeing;
+    sum = sum + decoded(LightModel::linear, *light);
+  }
+  if (seeing == 0) return std::nullopt;
+  const std::size_t points = m_displayFromPoint.size();
+  return PixelLight{encoded(LightModel::linear, (1.0 / double(points)) * sum), seeing == points};
+}
+
 void Simulation::render(int x, int y, Image& image) const {
-  const std::optional<Rgb> colour = pixel(x, y);
+  const std::optional<PixelLight> colour = pixel(x, y);
   if (!colour) return;
   const std::size_t at = std::size_t(y) * std::size_t(image.width) + std::size_t(x);
-  image.seen[at] = 255;
+  if (colour->isSeen) image.seen[at] = 255;
   image.rgb[3 * at] = quantised(colour->r);
   image.rgb[3 * at + 1] = quantised(colour->g);
   image.rgb[3 * at + 2] = quantised(colour->b);

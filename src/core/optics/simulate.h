@@ -29,6 +29,11 @@ struct RenderJob {
 /// Throws InputError if the view has no light field, or one that is not the display's size.
 void checkContent(const RenderJob& job);
 
+/// The light of a pixel in code values.
+struct PixelLight : Rgb {
+  bool isSeen = true;  ///< all points of the aperture see the display
+};
+
 /// Returns the point of the plane z = 1 whose light falls through the lens on `onSensor`; none if
 /// there is no ray.
 std::optional<Vec2> idealPoint(const Distortion& distortion, LensMapping mapping,
@@ -40,16 +45,16 @@ class Simulation {
   /// size.
   explicit Simulation(RenderJob job);
 
-  /// Returns the light of pixel (x, y) in code values; none if none of its rays meets the display
-  /// inside its angular field.
-  [[nodiscard]] std::optional<Rgb> pixel(int x, int y) const;
+  /// Returns the light of pixel (x, y); none if none of its rays meets the display inside its
+  /// angular field.
+  [[nodiscard]] std::optional<PixelLight> pixel(int x, int y) const;
 
   /// Writes pixel (x, y) of the image and of its mask.
   void render(int x, int y, Image& image) const;
 
  private:
-  [[nodiscard]] std::optional<Rgb> ray(double px, double py) const;
-  [[nodiscard]] std::optional<Hit> hitOf(double px, double py) const;
+  [[nodiscard]] std::optional<Hit> hitOf(const Vec2& ideal, const RigidTransform& from) const;
+  [[nodiscard]] std::optional<Rgb> lightFrom(const RigidTransform& point, int x, int y) const;
   [[nodiscard]] Rgb reconstructed(const Hit& hit) const;
 
   RenderJob m_job;
@@ -58,7 +63,8 @@ class Simulation {
   Distortion m_distortion;
   Psf m_psf;
   std::vector<RaySample> m_samples;
-  RigidTransform m_displayFromCamera;
+  Aperture m_aperture;
+  std::vector<RigidTransform> m_displayFromPoint;  ///< for each point of the aperture
 };
 
 /// Renders the whole image on the calling thread: the oracle of the tests.

@@ -24,6 +24,8 @@ class Values : public ParameterVisitor {
   explicit Values(CameraState state) {
     describe(*this, state.camera);
     describe(*this, state.intrinsics);
+    describe(*this, state.pupil);
+    describe(*this, state.stereo);
     describe(*this, state.distortion);
     describe(*this, state.psf);
   }

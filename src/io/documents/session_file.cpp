@@ -22,14 +22,16 @@ namespace {
 
 constexpr int documentVersion = 1;
 constexpr std::array<std::string_view, 3> sharedSections{"display", "lightField", "sampling"};
-constexpr std::array<std::string_view, 4> stateSections{"camera", "intrinsics", "distortion",
-                                                        "psf"};
+constexpr std::array<std::string_view, 6> stateSections{"camera", "intrinsics", "pupil",
+                                                        "stereo", "distortion", "psf"};
 
 CameraState readState(const Json& object, const std::string& path) {
   CameraState state;
   JsonReader reader(object, path);
   describe(reader, state.camera);
   readSection(reader, "intrinsics", state.intrinsics);
+  readSection(reader, "pupil", state.pupil);
+  readSection(reader, "stereo", state.stereo);
   readSection(reader, "distortion", state.distortion);
   readSection(reader, "psf", state.psf);
   reader.refuseUnknown();
@@ -128,7 +130,8 @@ void applyOverride(Json& document, const std::string& text) {
   if (!isOneOf(stateSections))
     throw InputError("override " + text,
                      "there is no section \"" + section +
-                         "\": display, lightField, sampling, camera, intrinsics, distortion, psf");
+                         "\": display, lightField, sampling, camera, intrinsics, pupil, stereo, "
+                         "distortion, psf");
   if (!document.is_object() || !document.contains("cameras")) return;
   for (Json& state : document["cameras"]) {
     if (!state.is_object()) continue;
@@ -153,6 +156,9 @@ Json writtenState(const CameraState& state) {
     object["intrinsics"] = written(state.intrinsics);
     object.erase("fov");
   }
+  // A pinhole and one eye are left out, so documents without them stay as they were.
+  if (state.pupil != PupilParams{}) object["pupil"] = written(state.pupil);
+  if (state.stereo != StereoParams{}) object["stereo"] = written(state.stereo);
   object["distortion"] = written(state.distortion);
   object["psf"] = written(state.psf);
   return object;

@@ -12,7 +12,7 @@
 namespace hogelscope {
 
 /// Reads a session. `overrides` are of the form section.field=value, value as in JSON (a text needs
-/// no quotes); camera, intrinsics, distortion and psf apply to every state. A calibration is
+/// no quotes); those of a state apply to every state. A calibration is
 /// applied to every state before the overrides. The light field's file becomes relative to the
 /// current folder instead of the document. Throws InputError that names the document.
 Session loadSession(const std::filesystem::path& file,
