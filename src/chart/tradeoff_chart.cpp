@@ -19,7 +19,8 @@ constexpr std::array familyNames{"lens", "size", "leakage", "sampling", "several
 
 Family familyOf(const TradeoffRow& row) {
   const std::array differs{row.lens != "exact" || row.precision != "double", row.scale > 1,
-                           row.psf != "full", row.reconstruction != "nearest" || row.samples > 1};
+                           row.psf != "full",
+                           row.reconstruction != "nearest" || row.samples > 1 || row.isOfPupil};
   const auto count = std::ranges::count(differs, true);
   if (count > 1) return Family::several;
   return count == 0 ? Family::lens : Family(std::ranges::find(differs, true) - differs.begin());

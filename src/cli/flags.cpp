@@ -6,6 +6,7 @@
 
 #include "core/base/error.h"
 #include "core/base/text.h"
+#include "core/optics/stereo_image.h"
 
 namespace hogelscope {
 
@@ -41,8 +42,8 @@ FlagGroup inputs() {
         .jobs = {render, report, makeCameras, generate, pack, exportAs, tradeoff, info},
         .mayRepeat = true,
         .help = "Overrides a parameter of the session, such as psf.sigma=0.9 or "
-                "camera.res=[300,300]; camera, intrinsics, distortion and psf go to every state. "
-                "Repeat it for more."},
+                "camera.res=[300,300]; camera, intrinsics, pupil, stereo, distortion and psf go to "
+                "every state. Repeat it for more."},
        {.name = "states",
         .value = "GLOB",
         .jobs = onStates,
@@ -92,6 +93,20 @@ FlagGroup outputs() {
             .jobs = {render},
             .help = "In place of what the display shows: what the eye would see of the session's "
                     "live scene itself through the panel."},
+           {.name = "stereo",
+            .value = "MODE",
+            .jobs = {render},
+            .choices = {stereoModeNames().begin(), stereoModeNames().end()},
+            .help = "One picture for both eyes, DIR/<name>.png, of states with stereo.ipd, in "
+                    "place of one for each: side-by-side, anaglyph, anaglyph-grey (red on the left "
+                    "and cyan on the right), cross-eyed."},
+           {.name = "focus-stack",
+            .value = "N",
+            .jobs = {render},
+            .range = NumberRange{.min = 2, .max = 9999, .isInteger = true},
+            .help = "Of each state with a pupil N pictures, focused evenly in dioptres over the "
+                    "depths that the display can show: DIR/<name>.focus01.png and so on, and their "
+                    "distances in DIR/<name>.focus.csv."},
            {.name = "between",
             .value = "N",
             .jobs = {render},

@@ -134,6 +134,16 @@ void warnOfCuts(const LightFieldFile& lightField, const Session& session, const 
     warn(line, lightField.cutWarning(session.cameras.front()));
 }
 
+void warnOfPupils(const PanelParams& display, const Session& session, const CommandLine& line) {
+  for (const CameraState& state : session.cameras) {
+    const Aperture aperture = apertureOf(state.pupil, state.camera, display);
+    if (state.pupil.samples == 0 && aperture.wanted > Aperture::mostSamples)
+      warn(line, state.camera.name + ": pupil: the display needs " +
+                     std::to_string(aperture.wanted) + " samples; " +
+                     std::to_string(Aperture::mostSamples) + " are taken");
+  }
+}
+
 std::vector<std::filesystem::path> inputFiles(std::vector<std::filesystem::path> others,
                                               const Session& session,
                                               const LightFieldFile& lightField) {

@@ -43,6 +43,10 @@ void warnOf(const LightFieldFile& lightField, const std::string& name, const Com
 /// unless the job is quiet. For other sessions it prints nothing.
 void warnOfCuts(const LightFieldFile& lightField, const Session& session, const CommandLine& line);
 
+/// Prints, unless the job is quiet, for which states more points of the pupil are needed than there
+/// may be. `display` has its hogels and directions.
+void warnOfPupils(const PanelParams& display, const Session& session, const CommandLine& line);
+
 /// Returns a new session for the light field that the job's own option names, read as --set
 /// specifies. Throws InputError, also for a --set of parameters that it does not have: camera
 /// states and their sampling.

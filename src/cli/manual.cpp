@@ -98,14 +98,15 @@ std::string lightFieldTables() {
 std::string parameterManual() {
   return "# Parameters of a session\n\n"
          "Made by `hogelscope --help parameters`. Any of them can be given on the command line as\n"
-         "`--set section.field=value`; `camera`, `intrinsics`, `distortion` and `psf` then go to "
-         "every state.\n"
+         "`--set section.field=value`; `camera`, `intrinsics`, `pupil`, `stereo`, `distortion` "
+         "and `psf`\nthen go to every state. "
          "In a session document `camera`'s fields stand in the state itself, beside its\n"
-         "`intrinsics`, `distortion` and `psf`.\n\n" +
+         "`intrinsics`, `pupil`, `stereo`, `distortion` and `psf`.\n\n" +
          table<DisplayParams>() + lightFieldTables() +
          table<LiveParams>({}, "lightField, layout live: the object of the source's name") +
          table<SamplingParams>() + table<CameraParams>() + table<IntrinsicsParams>() +
-         table<DistortionParams>() + table<PsfParams>() +
+         table<PupilParams>() + table<StereoParams>() + table<DistortionParams>() +
+         table<PsfParams>() +
          "# Parameters of a camera set\n\n"
          "For `--make-cameras`, likewise with `--set`; none of them stands in a session.\n\n" +
          table<CameraSetParams>() + table<CameraRegionParams>() + table<TraceParams>() +

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/base/error.h"
+#include "core/optics/eyes.h"
 #include "io/files/content_hash.h"
 #include "io/plugins/metric_plugins.h"
 #include "python/array_light_field.h"
@@ -88,7 +89,7 @@ ReportRequest requestOf(const ReportArguments& wishes, const Progress& progress)
   const Session session = sessionOf(wishes.document);
   request.name = wishes.document.name.empty() ? "a session of Python" : wishes.document.name;
   ReportTest reference = testWith(session, "", wishes.reference, progress);
-  request.session = std::move(reference.session);
+  request.session = withEyes(std::move(reference.session));
   request.file = std::move(reference.file);
   request.isAgainstIdeal = wishes.isAgainstIdeal;
   if (request.isAgainstIdeal) {

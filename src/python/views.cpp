@@ -7,7 +7,9 @@
 
 #include "campaign/state_images.h"
 #include "core/base/error.h"
+#include "core/cameras/focus_stack.h"
 #include "core/engine/renderer.h"
+#include "core/optics/eyes.h"
 #include "io/files/folders.h"
 #include "io/images/image_writer.h"
 #include "io/scene/view_source.h"
@@ -24,6 +26,7 @@ namespace {
 /// A state's image and its unrounded values; a streamed light field has none.
 struct RenderedView {
   std::string state;
+  std::optional<double> focus;  ///< of a focus stack, metres
   Image image;
   std::optional<std::vector<float>> values;
 };
@@ -38,6 +41,8 @@ struct RenderRequest {
   Session session;
   std::shared_ptr<Content> light;
   bool isIdeal = false;
+  std::optional<Eye> eye;  ///< of states with `stereo`; the head's view without one
+  int stackCount = 0;      ///< of a focus stack; 0: none
 };
 
 /// Keeps the session's light field and tables of lenses between views.
@@ -62,17 +67,36 @@ std::shared_ptr<Content> SessionViews::ownOf(const Session& session, const Progr
   return m_own;
 }
 
+/// Replaces the states by what is asked for of them: an eye, several distances of focus.
+void expand(Session& session, const PanelParams& display, const RenderRequest& request) {
+  if (request.eye)
+    for (CameraState& state : session.cameras) {
+      if (!(state.stereo.ipd > 0))
+        throw InputError(state.camera.name, "stereo.ipd", "is 0, so there is one eye: give metres");
+      state = eyeOf(state, session.display, *request.eye);
+    }
+  if (request.stackCount == 0) return;
+  std::vector<CameraState> focused;
+  for (const CameraState& state : session.cameras)
+    for (CameraState& one : focusStack(state, inFile(state.camera.name, [&] {
+                                         return focusDistances(state, display, request.stackCount);
+                                       })))
+      focused.push_back(std::move(one));
+  session.cameras = std::move(focused);
+}
+
 RenderedView renderOne(Renderer& renderer, const StateImages& images, std::size_t state,
-                       const Progress& progress) {
+                       bool isStack, const Progress& progress) {
   const RenderJob job = images.job(state);
   const std::string& name = job.state.camera.name;
+  const std::optional<double> focus = isStack ? std::optional(job.state.pupil.focus) : std::nullopt;
   try {
-    if (images.areStreamed()) return {name, images.render(state, renderer, progress), {}};
+    if (images.areStreamed()) return {name, focus, images.render(state, renderer, progress), {}};
     FloatImage values = images.renderFloat(state, renderer, progress);
     // With a tolerance, the reduced image is rounded before it is enlarged.
     Image image =
         job.sampling.tolerance > 0 ? images.render(state, renderer, progress) : rounded(values);
-    return {name, std::move(image), std::move(values.rgb)};
+    return {name, focus, std::move(image), std::move(values.rgb)};
   } catch (const InputError& error) {
     throw InputError(name, error.what());
   }
@@ -81,25 +105,26 @@ RenderedView renderOne(Renderer& renderer, const StateImages& images, std::size_
 RenderedViews SessionViews::render(const RenderRequest& request, const Progress& progress) {
   const auto lock = lockFor(m_mutex, progress);
   const bool isOwn = !request.light || request.light->lightField().isLive();
-  const Session session = request.light ? request.light->in(request.session) : request.session;
+  Session session = request.light ? request.light->in(request.session) : request.session;
   if (request.isIdeal) requireLive(session);
   const std::shared_ptr<Content> content =
       isOwn ? ownOf(session, part(progress, 0, 0.1)) : request.light;
   const auto contentLock = lockFor(content->mutex(), progress);
   LightFieldFile& file = *content->file();
+  const PanelParams display = resolved(displayOf(session), file.size());
+  expand(session, display, request);
   RenderedViews result;
   for (const auto& input : file.files()) result.inputs.push_back(input.string());
   const Progress reading = part(progress, 0.1, 0.5);
   StateImages images =
       mustStream(file, allowedMemory())
           ? StateImages(session, file, session.cameras, {}, reading)
-          : StateImages({content->source(reading), resolved(displayOf(session), file.size()),
-                         session.sampling, request.isIdeal},
+          : StateImages({content->source(reading), display, session.sampling, request.isIdeal},
                         session.cameras);
   const auto count = double(session.cameras.size());
   for (std::size_t k = 0; k < session.cameras.size(); ++k)
     result.views.push_back(renderOne(
-        m_renderer, images, k,
+        m_renderer, images, k, request.stackCount > 0,
         part(progress, 0.5 + 0.5 * double(k) / count, 0.5 + 0.5 * double(k + 1) / count)));
   return result;
 }
@@ -139,15 +164,18 @@ py::tuple tupleOf(RenderedView view) {
   return py::make_tuple(
       view.state, arrayOf(std::move(view.image.rgb), {height, width, 3}),
       seen.attr("view")(py::dtype::of<bool>()),
-      view.values ? py::object(arrayOf(std::move(*view.values), {height, width, 3})) : py::none());
+      view.values ? py::object(arrayOf(std::move(*view.values), {height, width, 3})) : py::none(),
+      view.focus);
 }
 
 py::tuple render(SessionViews& views, const Document& document,
                  const std::optional<std::vector<std::string>>& states, const LightChoice& light,
-                 bool ideal, int threads, const py::object& progress) {
+                 bool ideal, const std::string& eye, int focusStack, int threads,
+                 const py::object& progress) {
   const ThreadsOfCall limit(threads);
   RenderedViews rendered = stoppable(progress, [&](const Progress& hear) {
-    RenderRequest request{sessionOf(document), {}, ideal};
+    RenderRequest request{sessionOf(document), {}, ideal, {}, focusStack};
+    if (!eye.empty()) request.eye = eye == nameOf(Eye::left) ? Eye::left : Eye::right;
     if (states) select(request.session, *states, document.name);
     if (const auto* file = std::get_if<std::string>(&light))
       request.session = sessionWith(request.session, *file);
@@ -185,8 +213,10 @@ void addViews(py::module_& module) {
   py::class_<SessionViews>(module, "SessionViews", "What a session keeps between views.")
       .def(py::init<>())
       .def("render", &render, py::arg("document"), py::arg("states"), py::arg("light_field"),
-           py::arg("ideal"), py::arg("threads"), py::arg("progress"),
-           "Renders states: (name, image, seen, values) of each, and the files that were read.");
+           py::arg("ideal"), py::arg("eye"), py::arg("focus_stack"), py::arg("threads"),
+           py::arg("progress"),
+           "Renders states: (name, image, seen, values, focus) of each, and the files that were "
+           "read.");
   module.def("write", &write, py::arg("file"), py::arg("image"), py::arg("values"),
              py::arg("inputs"), "Writes 8-bit RGB, or values as EXR or TIFF, over no input.");
 }

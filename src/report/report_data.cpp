@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "core/base/error.h"
+#include "core/optics/eyes.h"
 #include "report/report_run.h"
 
 namespace hogelscope {
@@ -146,7 +147,9 @@ ReportSummary ReportData::summaryOf(std::size_t test) const {
 
 std::optional<std::size_t> ReportData::stateIn(const Session& other, std::size_t state) const {
   const std::string& name = session.cameras[state].camera.name;
-  const auto hasName = [&](const CameraState& each) { return each.camera.name == name; };
+  const auto hasName = [head = headOf(name)](const CameraState& each) {
+    return each.camera.name == head;
+  };
   const std::vector<CameraState>& states = other.cameras;
   if (state < states.size() && hasName(states[state])) return state;
   const auto found = std::ranges::find_if(states, hasName);

@@ -69,7 +69,7 @@ PanelParams panel() {
 }
 
 /// Returns a light field that encodes each directional pixel's number as its colour. There are 2^24
-/// of them, as many as colours.
+/// of them, as many as colours; those of neighbours are far apart.
 std::shared_ptr<const LightField> numbered(const PanelParams& display,
                                            const ParallelRows& parallelRows) {
   const LightFieldSize size{display.hogels[0], display.hogels[1], display.directions[0],
@@ -79,7 +79,8 @@ std::shared_ptr<const LightField> numbered(const PanelParams& display,
   parallelRows(int(size.height()), [&](int begin, int end) {
     for (int y = begin; y < end; ++y) {
       for (unsigned x = 0; x < columns; ++x) {
-        const unsigned number = unsigned(y) * columns + x;
+        // Odd factors exchange the numbers of 24 bits.
+        const unsigned number = (unsigned(y) * columns + x) * 0x9e3779U;
         const std::array rgb{std::uint8_t(number >> 16), std::uint8_t(number >> 8),
                              std::uint8_t(number)};
         field->set({int(x) / size.du, y / size.dv, int(x) % size.du, y % size.dv}, rgb.data());
@@ -131,6 +132,44 @@ InstabilityRow row(const char* kind, const std::string& method, double x, const 
     if (reference.seen[p] != image.seen[p] || !std::equal(a, a + 3, b)) ++others;
   }
   return {kind, method, x, {}, points, points == 0 ? 0 : double(others) / double(points)};
+}
+
+constexpr int pupilSamples = 16;
+
+/// Returns a view of fewer pixels through a pupil.
+RenderJob throughPupil(RenderJob job, double diameter, double focus) {
+  job.state.camera.res = {150, 150};
+  job.state.pupil = {diameter, focus, pupilSamples};
+  return job;
+}
+
+/// Returns the share of the pixels with light that differ: sums are rounded, so by more than 1.
+InstabilityRow pupilRow(const char* kind, const std::string& method, double x,
+                        const Image& reference, const Image& image) {
+  std::size_t points = 0;
+  std::size_t others = 0;
+  for (std::size_t p = 0; p < reference.pixelCount(); ++p) {
+    const auto* a = &reference.rgb[3 * p];
+    const auto* b = &image.rgb[3 * p];
+    const auto isLit = [](const std::uint8_t* rgb) { return (rgb[0] | rgb[1] | rgb[2]) != 0; };
+    if (!isLit(a) && !isLit(b)) continue;
+    ++points;
+    const bool isNear =
+        std::equal(a, a + 3, b, [](int one, int other) { return std::abs(one - other) <= 1; });
+    if (reference.seen[p] != image.seen[p] || !isNear) ++others;
+  }
+  return {kind,   method,
+          x,      double(pupilSamples),
+          points, points == 0 ? 0 : double(others) / double(points)};
+}
+
+void addPupil(const char* kind, double x, const RenderJob& job, const Progress& progress,
+              std::vector<InstabilityRow>& rows) {
+  throwIfCancelled(progress);
+  const Image reference = simulate(job);
+  rows.push_back(pupilRow(kind, "fast engine", x, reference, Renderer(serialRows).render(job)));
+  throwIfCancelled(progress);
+  rows.push_back(pupilRow(kind, "eye 10 um aside", x, reference, simulate(eyeAside(job))));
 }
 
 void addEye(const char* kind, double x, const RenderJob& job, const Progress& progress,
@@ -205,6 +244,12 @@ std::vector<InstabilityRow> viewErrors(const ParallelRows& parallelRows, const P
       rows.push_back(row(kind, "float", metres, unmoved, pictureIn<float>(job)));
     }
   }
+  for (const double focus : {10.0, 1.0, 0.1, 1e-2, 1e-3, 1e-4, 1e-6, 1e-9})
+    addPupil("pupil_focus", focus, throughPupil(paper, 0.004, focus), part(progress, 0.9, 0.9),
+             rows);
+  for (const double diameter : {1e-4, 1e-3, 4e-3, 1e-2, 0.1, 0.5, 1.0})
+    addPupil("pupil_width", diameter, throughPupil(paper, diameter, 0), part(progress, 0.9, 0.9),
+             rows);
   return rows;
 }
 

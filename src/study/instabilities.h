@@ -20,6 +20,8 @@ namespace hogelscope {
 /// | near_panel    | the eye's distance, m    |                 | share of pixels that differ |
 /// | grazing       | degrees off the axis     |                 | share of pixels that differ |
 /// | scale, origin | a factor; metres         |                 | share of pixels that differ |
+/// | pupil_focus   | the distance of focus, m | samples         | share of pixels that differ |
+/// | pupil_width   | the pupil's diameter, m  | samples         | share of pixels that differ |
 struct InstabilityRow {
   std::string kind;
   std::string method;
@@ -44,6 +46,9 @@ std::vector<InstabilityRow> psnrMeans();
 /// - grazing: the eye at the paper's distance, off the panel's axis.
 /// - scale: panel, eye and distance scaled by x; origin: all shifted by x metres along each axis
 ///   of the world. Both are compared with the image of the original scene.
+/// - pupil_focus: a pupil of 4 mm at the paper's distance that focuses ever nearer; pupil_width:
+/// ever
+///   wider pupils that focus on the panel. In them a pixel differs if a value does by more than 1.
 std::vector<InstabilityRow> viewErrors(const ParallelRows& parallelRows, const Progress& progress);
 
 /// Measures all instabilities. Throws Cancelled.

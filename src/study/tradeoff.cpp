@@ -5,9 +5,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 #include "core/base/text.h"
+#include "core/engine/plan.h"
 #include "core/optics/distortion.h"
 
 namespace hogelscope {
@@ -35,12 +37,32 @@ NamedMethod rays(Reconstruction how, int samples) {
 
 std::vector<NamedMethod> methodsFor(const std::vector<RenderJob>& views) {
   std::vector<NamedMethod> methods = namedMethods();
-  const bool hasLens = std::ranges::any_of(
-      views, [](const RenderJob& job) { return !Distortion(job.state.distortion).isIdentity(); });
-  if (!hasLens)
+  if (!haveLens(views))
     std::erase_if(methods, [](const NamedMethod& m) {
       return m.mapping != exactly || m.method.lens != Method{}.lens;
     });
+  if (havePupil(views)) std::ranges::move(pupilMethods(), std::back_inserter(methods));
+  return methods;
+}
+
+bool haveLens(const std::vector<RenderJob>& views) {
+  return std::ranges::any_of(
+      views, [](const RenderJob& job) { return !Distortion(job.state.distortion).isIdentity(); });
+}
+
+bool havePupil(const std::vector<RenderJob>& views) {
+  return std::ranges::any_of(views,
+                             [](const RenderJob& job) { return !plan(job).aperture.isPinhole; });
+}
+
+std::vector<NamedMethod> pupilMethods() {
+  std::vector<NamedMethod> methods{{.name = "pinhole", .pupilSamples = 0}};
+  for (const AperturePattern pattern :
+       {AperturePattern::vogel, AperturePattern::grid, AperturePattern::random})
+    for (const int samples : {4, 12, 32, 52, 112})  // as many as a grid in the disc has
+      methods.push_back({.name = std::string(nameOf(pattern)) + " " + std::to_string(samples),
+                         .method = {.aperture = pattern},
+                         .pupilSamples = samples});
   return methods;
 }
 
@@ -108,6 +130,8 @@ RenderJob applyMethod(const NamedMethod& method, const RenderJob& job) {
   RenderJob result = job;
   result.sampling = {method.mapping, method.reconstruction, method.samplesPerPixel};
   result.method = method.method;
+  if (method.pupilSamples == 0) result.state.pupil = {};
+  if (method.pupilSamples) result.state.pupil.samples = *method.pupilSamples;
   return result;
 }
 

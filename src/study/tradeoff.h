@@ -2,6 +2,7 @@
 // Speed against accuracy: every method on the same views, timed and compared with the reference.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,18 +20,27 @@ struct NamedMethod {
   int samplesPerPixel = 1;
   LensMapping mapping = LensMapping::exact;
   Method method{};
+  std::optional<int> pupilSamples = {};  ///< in place of the state's; 0: a pinhole
 };
 
 /// Returns all compared methods, the default ("exact") first.
 std::vector<NamedMethod> namedMethods();
 
+/// Returns the numbers and patterns of a pupil's samples that are compared, the pinhole first.
+std::vector<NamedMethod> pupilMethods();
+
+/// Whether one of the views is through a distorted lens.
+bool haveLens(const std::vector<RenderJob>& views);
+/// Whether one of the views is through a pupil that is not a pinhole.
+bool havePupil(const std::vector<RenderJob>& views);
+
 /// Returns the methods that are relevant to the views: if no view has a lens, none that differs
-/// from another in the lens only.
+/// from another in the lens only, and if one has a pupil, pupilMethods() too.
 std::vector<NamedMethod> methodsFor(const std::vector<RenderJob>& views);
 
 RenderJob applyMethod(const NamedMethod& method, const RenderJob& job);
 
-/// The reference of the error.
+/// The reference of the error; with a pupil by the fast engine and the most samples.
 enum class Question {
   displayAsBuilt,  ///< the reference engine: exact lens, full window, nearest, one ray per pixel
   idealPicture     ///< the exact fast engine, which is equal: quadrilinear, 8×8 rays per pixel
@@ -67,6 +77,7 @@ struct TradeoffRow {
   double errorPixels = 0;   ///< pixels compared, over the states
   bool isSampled = false;   ///< its time or its error was measured on part of the pixels
   bool isPareto = false;    ///< no other row is as fast and as accurate, and better in one of them
+  bool isOfPupil = false;   ///< it has its own samples of the pupil
   bool isDefault = false;   ///< the program's default
 };
 

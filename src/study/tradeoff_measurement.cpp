@@ -58,6 +58,7 @@ TradeoffRow rowOf(const NamedMethod& method, const ErrorSum& sum) {
   row.maxError = sum.largest;
   row.seenMismatch = sum.mismatches / sum.pixels;
   row.errorPixels = sum.pixels;
+  row.isOfPupil = method.pupilSamples.has_value();
   row.isDefault = method.name == namedMethods().front().name;
   return row;
 }
@@ -69,7 +70,7 @@ double pixelsOf(const RenderJob& job) {
 /// Returns the rays of one image, in millions.
 double megaRays(const RenderJob& job) {
   const double n = job.sampling.samplesPerPixel;
-  return n * n * pixelsOf(reduced(job)) * 1e-6;
+  return n * n * double(plan(job).aperture.points.size()) * pixelsOf(reduced(job)) * 1e-6;
 }
 
 /// Whether the median is known to two per cent.
@@ -92,6 +93,7 @@ class Measurement {
               const ParallelRows& parallelRows, const Progress& progress)
       : m_methods(methodsFor(views)),
         m_question(questionOf(views.front().sampling)),
+        m_hasPupil(havePupil(views)),
         m_budget(budget),
         m_start(budget.clock()),
         m_parallelRows(parallelRows) {
@@ -130,11 +132,14 @@ class Measurement {
   }
 
   [[nodiscard]] Image reference(const RenderJob& job, int step) const {
-    if (m_question == Question::displayAsBuilt)
-      return sampledReference(applyMethod({"display"}, job), step, m_parallelRows, m_pulse);
+    NamedMethod method = m_question == Question::displayAsBuilt
+                             ? NamedMethod{"display"}
+                             : NamedMethod{"ideal", Reconstruction::quadrilinear, 8};
+    if (m_question == Question::displayAsBuilt && !m_hasPupil)
+      return sampledReference(applyMethod(method, job), step, m_parallelRows, m_pulse);
+    if (m_hasPupil) method.pupilSamples = Aperture::mostSamples;
     Renderer renderer(m_parallelRows);
-    return sampledPicture(applyMethod({"ideal", Reconstruction::quadrilinear, 8}, job), step,
-                          renderer, m_pulse);
+    return sampledPicture(applyMethod(method, job), step, renderer, m_pulse);
   }
 
   [[nodiscard]] Cost timedReference(const RenderJob& job, int divisor) const {
@@ -263,6 +268,7 @@ class Measurement {
   std::vector<RenderJob> m_views;  ///< in an order of which every prefix is spread over all
   std::vector<NamedMethod> m_methods;
   Question m_question;
+  bool m_hasPupil;
   Budget m_budget;
   double m_start;
   const ParallelRows& m_parallelRows;

@@ -125,7 +125,7 @@ void TestRender::exrHoldsTheValues() {
   int fractions = 0;
   for (int y = 0; y < 64; ++y) {
     for (int x = 0; x < 64; ++x) {
-      const Rgb expected = simulation.pixel(x, y).value_or(Rgb{});
+      const Rgb expected = simulation.pixel(x, y).value_or(PixelLight{});
       const float* rgb = &values[std::size_t(3 * (64 * y + x))];
       QVERIFY(std::abs(255.0 * rgb[0] - expected.r) < 1e-4);
       QVERIFY(std::abs(255.0 * rgb[1] - expected.g) < 1e-4);
@@ -145,7 +145,7 @@ void TestRender::tiffHoldsSixteenBits() {
   const Simulation simulation(scene.job(m_session.cameras[0]));
   for (int y = 0; y < 64; ++y) {
     for (int x = 0; x < 64; ++x) {
-      const Rgb expected = simulation.pixel(x, y).value_or(Rgb{});
+      const Rgb expected = simulation.pixel(x, y).value_or(PixelLight{});
       const std::uint16_t* rgb = &values[std::size_t(3 * (64 * y + x))];
       QVERIFY(std::abs(rgb[0] - 257 * expected.r) < 0.51);
       QVERIFY(std::abs(rgb[1] - 257 * expected.g) < 0.51);

@@ -61,6 +61,32 @@ class TestTradeoff : public QObject {
   Q_OBJECT
 
  private Q_SLOTS:
+  /// More samples are nearer to the reference, and slower; a spiral is better than a grid.
+  void samplesOfAPupilAreMethods() {
+    std::vector<RenderJob> views = someViews();
+    QVERIFY(!havePupil(views) && methodsFor(views).size() == namedMethods().size());
+    for (RenderJob& job : views) {
+      job.state.pupil = {0.15, 0, 0};
+      job.state.psf = {};
+    }
+    QVERIFY(havePupil(views));
+    const std::size_t all = namedMethods().size() + pupilMethods().size();
+    QCOMPARE(methodsFor(views).size(), all);
+    const std::vector<TradeoffRow> rows = measureTradeoff(views, ample(), serialRows, {}).rows;
+    QCOMPARE(rows.size(), all);
+    const auto psnr = [&](const char* method) { return rowOf(rows, method).psnr; };
+    QVERIFY(psnr("pinhole") < psnr("Vogel spiral 4"));
+    QVERIFY(psnr("Vogel spiral 4") < psnr("Vogel spiral 32"));
+    QVERIFY(psnr("Vogel spiral 32") < psnr("Vogel spiral 112"));
+    QVERIFY2(psnr("Vogel spiral 112") > psnr("grid 112") + 2 &&
+                 psnr("Vogel spiral 112") > psnr("random 112") + 2,
+             qPrintable(QString("%1 %2 %3")
+                            .arg(psnr("Vogel spiral 112"))
+                            .arg(psnr("grid 112"))
+                            .arg(psnr("random 112"))));
+    QVERIFY(rowOf(rows, "random 12").isOfPupil && !rowOf(rows, "exact").isOfPupil);
+  }
+
   void methodsAreManyAndDiffer() {
     const std::vector<NamedMethod> methods = namedMethods();
     QVERIFY(methods.size() >= 20);

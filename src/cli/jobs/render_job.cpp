@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // --render: one image for each camera state.
+#include <algorithm>
 #include <filesystem>
 #include <iostream>
+#include <iterator>
+#include <utility>
 
 #include "campaign/state_images.h"
 #include "cli/explain.h"
@@ -12,6 +15,9 @@
 #include "core/base/parallel.h"
 #include "core/base/text.h"
 #include "core/cameras/camera_path.h"
+#include "core/cameras/focus_stack.h"
+#include "core/optics/eyes.h"
+#include "core/optics/stereo_image.h"
 #include "io/documents/session_file.h"
 #include "io/files/atomic_file.h"
 #include "io/files/folders.h"
@@ -25,39 +31,117 @@ namespace fs = std::filesystem;
 
 namespace {
 
+/// A file of the results, and the camera states that it shows: both eyes of a stereo picture,
+/// otherwise one.
+struct Picture {
+  std::string name;  ///< the file's, without an ending
+  std::vector<CameraState> eyes;
+  double focus = 0;  ///< metres, of a focus stack
+};
+
 /// The files of all states and the text of --explain.
 struct RenderOutput {
+  std::string session;
   fs::path folder;
   std::string format;
   bool hasMasks = false;
   bool isExplained = false;
   bool isIdeal = false;
+  std::optional<StereoMode> stereo = {};
   std::optional<VideoWriter> video = {};
 
-  [[nodiscard]] fs::path file(const CameraState& state, const std::string& ending) const {
-    return folder / (state.camera.name + "." + ending);
+  [[nodiscard]] fs::path file(const std::string& name, const std::string& ending) const {
+    return folder / (name + "." + ending);
   }
-  [[nodiscard]] std::vector<fs::path> allFiles(const std::vector<CameraState>& states) const {
+  [[nodiscard]] std::string maskName(const Picture& picture, std::size_t eye) const {
+    return picture.eyes.size() == 1 ? picture.name : fileNameOf(picture.eyes[eye].camera.name);
+  }
+  [[nodiscard]] std::vector<fs::path> allFiles(const std::vector<Picture>& pictures) const {
     std::vector<fs::path> files;
-    for (const CameraState& state : states) {
-      files.push_back(file(state, format));
-      if (hasMasks) files.push_back(file(state, "mask.png"));
+    for (const Picture& picture : pictures) {
+      files.push_back(file(picture.name, format));
+      for (std::size_t eye = 0; hasMasks && eye < picture.eyes.size(); ++eye)
+        files.push_back(file(maskName(picture, eye), "mask.png"));
     }
     return files;
   }
 
-  /// Writes an Image or a FloatImage.
+  /// Writes the images of a picture's eyes, each an Image or a FloatImage; returns what was
+  /// written.
   template <class AnyImage>
-  void write(const CameraState& state, const AnyImage& image) const {
-    writeImage(file(state, format), image.width, image.height, image.rgb);
-    if (hasMasks) writeMask(file(state, "mask.png"), image.width, image.height, image.seen);
+  AnyImage write(const Picture& picture, const std::vector<AnyImage>& images) const {
+    AnyImage image =
+        images.size() == 1 ? images[0] : stereoImage(images[0], images[1], stereo.value());
+    writeImage(file(picture.name, format), image.width, image.height, image.rgb);
+    for (std::size_t eye = 0; hasMasks && eye < images.size(); ++eye)
+      writeMask(file(maskName(picture, eye), "mask.png"), images[eye].width, images[eye].height,
+                images[eye].seen);
+    return image;
   }
 };
 
-/// Writes the images of all states; for PNG without a video, continues after a state that cannot be
-/// rendered.
-void renderAll(LightFieldFile& file, const Session& session, RenderOutput& output,
-               const Progress& progress) {
+/// Returns the pictures of a state: for each distance of focus, one of both eyes or one of each.
+std::vector<Picture> picturesOf(const CameraState& head, const DisplayParams& display,
+                                const std::vector<double>& distances, bool areJoined) {
+  std::vector<std::vector<CameraState>> stacks;  // of the eyes
+  for (const CameraState& eye : eyesOf(head, display))
+    stacks.push_back(distances.empty() ? std::vector{eye} : focusStack(eye, distances));
+  std::vector<Picture> pictures;
+  for (std::size_t k = 0; k < stacks.front().size(); ++k) {
+    const double focus = stacks.front()[k].pupil.focus;
+    if (areJoined && stacks.size() == 2) {
+      const std::string name =
+          distances.empty() ? head.camera.name : focusStack(head, distances)[k].camera.name;
+      pictures.push_back({name, {stacks[0][k], stacks[1][k]}, focus});
+      continue;
+    }
+    for (const std::vector<CameraState>& stack : stacks)
+      pictures.push_back({fileNameOf(stack[k].camera.name), {stack[k]}, focus});
+  }
+  return pictures;
+}
+
+/// Everything that --render writes.
+struct Pictures {
+  std::vector<Picture> all;
+  std::vector<std::pair<std::string, std::string>> tables;  ///< files of focus stacks, and texts
+
+  Pictures(const Session& session, const PanelParams& display, int stackCount,
+           const RenderOutput& output) {
+    for (const CameraState& state : session.cameras) {
+      std::vector<double> distances;
+      if (stackCount > 0)
+        inFile(output.session + ": " + state.camera.name,
+               [&] { distances = focusDistances(state, display, stackCount); });
+      std::vector<Picture> own =
+          picturesOf(state, session.display, distances, output.stereo.has_value());
+      if (stackCount > 0)
+        tables.emplace_back(state.camera.name + ".focus.csv", tableOf(own, output));
+      std::ranges::move(own, std::back_inserter(all));
+    }
+  }
+
+  /// Returns the session whose states are those of all pictures, in order.
+  [[nodiscard]] Session sessionOf(Session session) const {
+    session.cameras.clear();
+    for (const Picture& picture : all)
+      std::ranges::copy(picture.eyes, std::back_inserter(session.cameras));
+    return session;
+  }
+
+ private:
+  static std::string tableOf(const std::vector<Picture>& pictures, const RenderOutput& output) {
+    std::string text = "file,focus,dioptres\n";
+    for (const Picture& picture : pictures)
+      text += csvCell(output.file(picture.name, output.format).filename().string()) + "," +
+              numberText(picture.focus) + "," + numberText(1 / picture.focus) + "\n";
+    return text;
+  }
+};
+
+/// Writes all pictures; for PNG without a video, continues after one that cannot be rendered.
+void renderAll(LightFieldFile& file, const Session& session, const std::vector<Picture>& pictures,
+               RenderOutput& output, const Progress& progress) {
   const bool isStreamed = mustStream(file, allowedMemory());
   if (isStreamed && output.format != "png")
     throw InputError("--format " + output.format,
@@ -72,21 +156,30 @@ void renderAll(LightFieldFile& file, const Session& session, RenderOutput& outpu
   Renderer renderer;
   const double each = (1 - reading) / double(session.cameras.size());
   std::optional<InputError> first;
-  for (std::size_t k = 0; k < session.cameras.size(); ++k) {
-    const Progress of = part(progress, reading + double(k) * each, reading + double(k + 1) * each);
+  std::size_t state = 0;
+  const auto progressOf = [&](std::size_t k) {
+    return part(progress, reading + double(k) * each, reading + double(k + 1) * each);
+  };
+  for (const Picture& picture : pictures) {
+    const std::size_t begin = std::exchange(state, state + picture.eyes.size());
     if (output.format != "png") {
-      output.write(session.cameras[k], images.renderFloat(k, renderer, of));
+      std::vector<FloatImage> eyes;
+      for (std::size_t k = begin; k < state; ++k)
+        eyes.push_back(images.renderFloat(k, renderer, progressOf(k)));
+      output.write(picture, eyes);
       continue;
     }
-    std::optional<Image> image;
+    std::vector<Image> eyes;
     try {
-      image = images.render(k, renderer, of);
+      for (std::size_t k = begin; k < state; ++k)
+        eyes.push_back(images.render(k, renderer, progressOf(k)));
     } catch (const InputError& error) {
-      if (output.video) throw InputError(session.cameras[k].camera.name, error.what());
-      if (!first) first.emplace(session.cameras[k].camera.name, error.what());
+      if (output.video) throw InputError(picture.name, error.what());
+      if (!first) first.emplace(picture.name, error.what());
+      continue;
     }
-    if (image) output.write(session.cameras[k], *image);
-    if (output.video) output.video->add(image->rgb, of);
+    const Image image = output.write(picture, eyes);
+    if (output.video) output.video->add(image.rgb, progressOf(begin));
   }
   if (output.video) output.video->finish(progress);
   if (first) throw *first;
@@ -100,6 +193,26 @@ void keepShard(Session& session, const Shard& shard) {
   session.cameras = std::move(own);
 }
 
+/// Returns the mode of --stereo, if it is given and a state has two eyes.
+std::optional<StereoMode> stereoModeOf(const CommandLine& line, const Session& session) {
+  if (!line.has("stereo")) return std::nullopt;
+  const std::string text = line.text("stereo");
+  const auto areTwo = [](const CameraState& state) { return state.stereo.ipd > 0; };
+  if (std::ranges::none_of(session.cameras, areTwo))
+    throw InputError("--stereo " + text,
+                     "needs two eyes, but no state has them: --set stereo.ipd=0.063");
+  const auto names = stereoModeNames();
+  return static_cast<StereoMode>(std::ranges::find(names, text) - names.begin());
+}
+
+/// Throws InputError if two results have the same file.
+void requireDifferent(std::vector<fs::path> files) {
+  std::ranges::sort(files);
+  const auto same = std::ranges::adjacent_find(files);
+  if (same != files.end())
+    throw InputError(same->string(), "would be written twice: rename one of the states");
+}
+
 /// Throws InputError if other options or the states keep a video from being made.
 void requireVideo(const CommandLine& line, const Session& session) {
   if (!line.has("video")) throw InputError("--fps", "belongs to --video");
@@ -107,6 +220,17 @@ void requireVideo(const CommandLine& line, const Session& session) {
     throw InputError("--video",
                      "is of all pictures, and these are PNG: leave out --shard, --format");
   requireOneSize(session.cameras);
+  const auto areTwo = [](const CameraState& state) { return state.stereo.ipd > 0; };
+  if (!line.has("stereo") && std::ranges::any_of(session.cameras, areTwo))
+    throw InputError("--video", "has one picture for both eyes: add --stereo side-by-side");
+}
+
+/// Returns the size of a video's pictures.
+std::array<int, 2> sizeOf(const Picture& picture, const RenderOutput& output) {
+  auto [width, height] = picture.eyes.front().camera.res;
+  const bool isBeside =
+      output.stereo == StereoMode::sideBySide || output.stereo == StereoMode::crossEyed;
+  return {isBeside ? width * int(picture.eyes.size()) : width, height};
 }
 
 }  // namespace
@@ -119,27 +243,34 @@ int runRender(const CommandLine& line) {
   if (const auto shard = shardOf(line)) keepShard(session, *shard);
   // Opened first, so that an invalid file leaves no folder behind.
   const auto file = openLightField(session.lightField, session.display);
-  RenderOutput output{line.text("output"), line.text("format", "png"), line.has("masks"),
-                      line.has("explain"), line.has("ideal")};
+  RenderOutput output{line.text("session"), line.text("output"), line.text("format", "png"),
+                      line.has("masks"),    line.has("explain"), line.has("ideal")};
   if (output.isIdeal) requireLive(session);
-  std::vector<fs::path> files = output.allFiles(session.cameras);
+  output.stereo = stereoModeOf(line, session);
+  const PanelParams display = resolved(displayOf(session), file->size());
+  const Pictures pictures(session, display, int(line.number("focus-stack").value_or(0)), output);
+  std::vector<fs::path> files = output.allFiles(pictures.all);
+  for (const auto& [name, text] : pictures.tables) files.push_back(output.folder / name);
+  requireDifferent(files);
   if (line.has("video")) files.emplace_back(line.text("video"));
   checkOutputs(files, inputFiles({line.text("session"), line.text("calibration")}, session, *file));
   keepSession(line, session);
   warnOfCuts(*file, session, line);
+  warnOfPupils(display, session, line);
   if (line.has("video")) {
     makeFolderOf(line.text("video"));
-    output.video.emplace(line.text("video"), session.cameras[0].camera.res,
+    output.video.emplace(line.text("video"), sizeOf(pictures.all.front(), output),
                          line.number("fps").value_or(30));
   }
   makeFolder(output.folder);
   const bool isQuiet = line.has("quiet");
   announceStreaming(*file, allowedMemory(), isQuiet);
   ProgressBar bar("rendering", isQuiet);
-  renderAll(*file, session, output, bar.progress());
+  renderAll(*file, pictures.sessionOf(session), pictures.all, output, bar.progress());
+  for (const auto& [name, text] : pictures.tables) writeTextFile(output.folder / name, text);
   bar.done();
   if (!isQuiet)
-    std::cout << session.cameras.size() << " picture(s) in " << printable(output.folder.string())
+    std::cout << pictures.all.size() << " picture(s) in " << printable(output.folder.string())
               << "\n";
   return 0;
 }

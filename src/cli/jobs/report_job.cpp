@@ -15,6 +15,7 @@
 #include "core/base/error.h"
 #include "core/base/parameters.h"
 #include "core/base/text.h"
+#include "core/optics/eyes.h"
 #include "io/documents/session_file.h"
 #include "io/plugins/metric_plugins.h"
 #include "report/page/report_tables.h"
@@ -176,7 +177,8 @@ int runReport(const CommandLine& line) {
   ReportRequest request;
   request.name = line.text("session");
   if (isSessionDocument(request.name)) request.sessionFile = request.name;
-  request.session = loadSelected(line);
+  const Session session = loadSelected(line);
+  request.session = withEyes(session);
   request.file = openLightField(request.session.lightField, request.session.display);
   request.isAgainstIdeal = line.has("against");
   if (request.isAgainstIdeal) {
@@ -191,8 +193,10 @@ int runReport(const CommandLine& line) {
   request.command = line.shellText;
   request.images = line.has("images");
   request.shard = shardOf(line);
-  keepSession(line, request.session);
+  keepSession(line, session);
   if (!request.shard) warnOfCuts(*request.file, request.session, line);
+  if (!request.shard)
+    warnOfPupils(resolved(displayOf(session), request.file->size()), session, line);
   announceStreaming(*request.file, request.memory / 2, isQuiet);
   for (const ReportTest& test : request.tests) {
     warnOf(*test.file, test.name, line);

@@ -70,8 +70,9 @@ int runTradeoff(const CommandLine& line) {
             << " state(s)\ntime per picture, lens rays included: median of up to " << mostRuns
             << " interleaved runs on " << result.timedViews << " state(s)\n";
   printLimits(result.rows);
-  if (methodsFor(views).size() < namedMethods().size())
-    std::cout << "no state has a lens: ways to invert one are left out\n";
+  if (havePupil(views))
+    std::cout << "the reference has " << Aperture::mostSamples << " samples of the pupil\n";
+  if (!haveLens(views)) std::cout << "no state has a lens: ways to invert one are left out\n";
   const auto print = [&](const char* what, std::optional<std::size_t> row) {
     if (row) std::cout << what << result.rows[*row].method << "\n";
   };

@@ -35,9 +35,13 @@ class SessionViews:
         states: Optional[Sequence[str]],
         light_field: Union[None, LightField, str],
         ideal: bool,
+        eye: str,
+        focus_stack: int,
         threads: int,
         progress: Optional[Callable[[float], object]],
-    ) -> Tuple[List[Tuple[str, np.ndarray, np.ndarray, Optional[np.ndarray]]], List[str]]: ...
+    ) -> Tuple[
+        List[Tuple[str, np.ndarray, np.ndarray, Optional[np.ndarray], Optional[float]]], List[str]
+    ]: ...
 
 def add_plugin_folder(folder: str) -> None: ...
 def allow_memory(bytes: float) -> None: ...

@@ -135,9 +135,23 @@ class Session(Dict[str, Any]):
         light_field: Any = None,
         *,
         ideal: bool = False,
+        eye: Optional[str] = None,
         threads: int = 0,
         progress: Optional[Progress] = None,
     ) -> View: ...
+
+    @overload
+    def render(
+        self,
+        state: State,
+        light_field: Any = None,
+        *,
+        ideal: bool = False,
+        eye: Optional[str] = None,
+        focus_stack: int,
+        threads: int = 0,
+        progress: Optional[Progress] = None,
+    ) -> List[View]: ...
 
     @overload
     def render(
@@ -146,6 +160,8 @@ class Session(Dict[str, Any]):
         light_field: Any = None,
         *,
         ideal: bool = False,
+        eye: Optional[str] = None,
+        focus_stack: Optional[int] = None,
         threads: int = 0,
         progress: Optional[Progress] = None,
     ) -> List[View]: ...
@@ -156,6 +172,8 @@ class Session(Dict[str, Any]):
         light_field: Any = None,
         *,
         ideal: bool = False,
+        eye: Optional[str] = None,
+        focus_stack: Optional[int] = None,
         threads: int = 0,
         progress: Optional[Progress] = None,
     ) -> Any:
@@ -168,11 +186,22 @@ class Session(Dict[str, Any]):
             light_field: instead of the session's: a LightField, a numpy array (dv, du, ny, nx, 3),
                 or a file as ``--test`` takes it.
             ideal: the scene itself, without the display; of a live scene alone.
+            eye: "left" or "right" of states with "stereo"; without it the view of the head, from
+                between the eyes.
+            focus_stack: a list of so many views of each state, two or more, instead of one: focused
+                evenly in dioptres over the depths that the display can show, the nearest first.
+                ``focus`` of each is its distance in metres. The states need a pupil.
             threads: 0 for one per core; of the whole process while the call lasts.
             progress: called with the fraction done, 0 to 1.
 
         Other threads run meanwhile; Ctrl-C stops it. Raises InputError.
         """
+        if eye not in (None, "left", "right"):
+            raise InputError(f'eye: "{eye}" is neither "left" nor "right"')
+        if focus_stack is not None and not (
+            isinstance(focus_stack, Integral) and 2 <= focus_stack <= 9999
+        ):
+            raise InputError(f"focus_stack: {focus_stack} is not a whole number from 2 to 9999")
         is_one = isinstance(state, (str, bytes, Integral, Mapping))
         wanted: List[Any] = [state] if is_one else [] if state is None else list(state)
         names: Optional[List[str]] = None
@@ -187,11 +216,13 @@ class Session(Dict[str, Any]):
             self._views = _hogelscope.SessionViews()
         light = light_choice(light_field)
         document = self._document(cameras, not isinstance(light, LightField))
-        rendered, inputs = self._views.render(document, names, light, ideal, threads, progress)
+        rendered, inputs = self._views.render(
+            document, names, light, ideal, eye or "", int(focus_stack or 0), threads, progress
+        )
         views = [View(*one) for one in rendered]
         for view in views:
             view._inputs = [*inputs, self.name]
-        return views[0] if is_one else views
+        return views[0] if is_one and focus_stack is None else views
 
     def _state(self, state: Any, index: int) -> Any:
         if isinstance(state, Mapping):

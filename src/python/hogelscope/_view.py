@@ -18,21 +18,29 @@ class View:
     Attributes:
         state: name of the camera state.
         image: (h, w, 3) uint8, R, G, B; row 0 is the top. The pixels of ``--render``'s PNG.
-        seen: (h, w) bool, whether the display is seen there; the others are black.
+        seen: (h, w) bool, whether the display is seen there; the others are black. With a pupil,
+            whether all of it sees the display; where a part does, the picture has its light.
         values: (h, w, 3) float32, the image before rounding, in code values (0 to 255, not
             limited to them). None if the light field is larger than the memory and could only be
             read once from the top (a PNG); pack it into a store then.
+        focus: distance of focus of a picture of a focus stack, in metres; None for others.
     """
 
-    __slots__ = ("state", "image", "seen", "values", "_inputs")
+    __slots__ = ("state", "image", "seen", "values", "focus", "_inputs")
 
     def __init__(
-        self, state: str, image: np.ndarray, seen: np.ndarray, values: Optional[np.ndarray] = None
+        self,
+        state: str,
+        image: np.ndarray,
+        seen: np.ndarray,
+        values: Optional[np.ndarray] = None,
+        focus: Optional[float] = None,
     ) -> None:
         self.state = state
         self.image = image
         self.seen = seen
         self.values = values
+        self.focus = focus
         self._inputs: List[str] = []  # files that it was made of
 
     def __repr__(self) -> str:
