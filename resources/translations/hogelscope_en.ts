@@ -22,6 +22,16 @@
     </message>
 </context>
 <context>
+    <name>hogelscope::ImageCommands</name>
+    <message numerus="yes">
+        <source>Coarse: %n samples of the pupil</source>
+        <translation>
+            <numerusform>Coarse: %n sample of the pupil</numerusform>
+            <numerusform>Coarse: %n samples of the pupil</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>hogelscope::Messages</name>
     <message numerus="yes">
         <source>⚠ %n errors</source>

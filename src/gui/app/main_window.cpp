@@ -33,6 +33,7 @@
 #include "gui/session/state_commands.h"
 #include "gui/view/camera_player.h"
 #include "gui/view/content_loader.h"
+#include "gui/view/focus_finder.h"
 #include "gui/view/image_commands.h"
 #include "gui/view/view_worker.h"
 #include "gui/widgets/colours.h"
@@ -111,6 +112,9 @@ void MainWindow::connectActions() {
                            "displayDock", "statesDock", "samplingDock", "propertiesDock"})
     findChild<QDockWidget*>(name)->toggleViewAction()->setShortcut(Qt::CTRL | Qt::SHIFT |
                                                                    Qt::Key(digit++));
+  findChild<QDockWidget*>("eyesDock")
+      ->toggleViewAction()
+      ->setShortcut(Qt::CTRL | Qt::SHIFT | Qt::Key_0);
   for (const auto& [dock, key] :
        {std::pair(m_ui->sceneDock, Qt::CTRL | Qt::SHIFT | Qt::Key_9),
         std::pair(m_ui->cameraSetDock, Qt::CTRL | Qt::SHIFT | Qt::Key_M),
@@ -224,7 +228,18 @@ void MainWindow::connectDocks() {
   }
   for (const ParameterForm* form : findChildren<ParameterForm*>())
     connect(form, &ParameterForm::escaped, this, &MainWindow::leaveForm);
-  connect(m_imageCommands, &ImageCommands::requestChanged, this, &MainWindow::render);
+  connect(m_imageCommands, &ImageCommands::requestChanged, this, [this] {
+    m_scene->setEyes(m_imageCommands->eyes());
+    render();
+  });
+  auto* focus = new FocusFinder(
+      m_ui->cameraMenu, m_ui->pictureView, m_model,
+      [this](const QPoint& pixel) { return m_scene->viewAt(pixel); }, this);
+  connect(focus, &FocusFinder::found, m_ui->inspector, &Inspector::showFocus);
+  connect(focus, &FocusFinder::failed, m_messages, &Messages::showError);
+  connect(focus, &FocusFinder::found, this, [this](const QPoint&, const QString& text) {
+    if (!text.isEmpty()) m_messages->showMessage(text);
+  });
   connect(m_imageCommands, &ImageCommands::compared, m_ui->reportPanel, &ReportDock::offerTest);
   connect(m_imageCommands, &ImageCommands::failed, m_messages, &Messages::showError);
   connect(m_imageCommands, &ImageCommands::done, m_messages, &Messages::showMessage);
@@ -279,14 +294,16 @@ void MainWindow::connectLoader() {
 void MainWindow::render() {
   if (!m_loader->isReady()) return;  // showScene() renders
   m_worker->render({m_player->shown(), m_loader->source()->display, m_model->session().sampling,
-                    m_method, m_imageCommands->other(), m_imageCommands->asksWhy()});
+                    m_method, m_imageCommands->other(), m_imageCommands->asksWhy(),
+                    m_imageCommands->eyes()});
 }
 
 void MainWindow::showView(const RenderedView& view) {
   if (std::exchange(m_offersHints, false))
     for (Hint* hint : findChildren<Hint*>()) hint->offer();
   m_imageCommands->show(view);
-  if (view.scale == 1 && !view.isOverview) m_files->keepThumbnail(view.image);
+  const bool isFull = view.scale == 1 && !view.isOverview && view.samples == 0;
+  if (isFull) m_files->keepThumbnail(view.image);
   m_loader->followImage();
   const QString form =
       view.otherImage.isNull() ? tr("%1 × %2 px in %3 ms") : tr("%1 × %2 px, both in %3 ms");
@@ -298,6 +315,8 @@ void MainWindow::showView(const RenderedView& view) {
     line += tr(", overview: the rest is being fetched");
   else if (view.scale > 1)
     line += tr(", resolution 1/%1").arg(view.scale);
+  else if (view.samples > 0)
+    line += tr(", coarse");
   if (m_method) line += tr(", method: %1").arg(QString::fromStdString(m_method->name));
   m_messages->showMessage(line);
 }

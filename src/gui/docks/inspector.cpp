@@ -75,8 +75,8 @@ void Inspector::refresh() {
   const std::optional<QPoint> pixel = m_pointed ? m_pointed : m_scene->pickedPixel();
   if (!job) return showNothing(tr("There is no light field."));
   try {
-    const QRect image(QPoint(), QSize(job->state.camera.res[0], job->state.camera.res[1]));
-    if (pixel && image.contains(*pixel)) return showPixel(*job, *pixel);
+    const auto view = pixel ? m_scene->viewAt(*pixel) : std::nullopt;
+    if (view) return showPixel(*view, *pixel);
     if (m_scene->pickedHogel()) return showHogel(*job, *m_scene->pickedHogel());
     showNothing(tr("Point at a pixel of the picture, or click one, or a hogel of the scene."));
   } catch (const InputError& error) {  // no camera frame, or damaged content
@@ -92,14 +92,23 @@ void Inspector::showNothing(const QString& hint) {
     part->hide();
 }
 
-void Inspector::showPixel(const RenderJob& job, const QPoint& pixel) {
+void Inspector::showFocus(const QPoint& pixel, const QString& text) {
+  m_focused = pixel;
+  m_focusText = text;
+  refresh();
+}
+
+void Inspector::showPixel(const PickedView& view, const QPoint& shown) {
+  const RenderJob& job = view.job;
+  const QPoint& pixel = view.pixel;
   const PixelTrace trace = pixelTrace(job, pixel.x(), pixel.y());
   showNothing(SceneText::verdict(trace, job.display));
   m_ui->inspectorSwatch->setPixmap(swatchOf(trace));
   m_ui->inspectorSwatch->show();
-  showNeighbours(pixel);
-  m_ui->inspectorValues->setText(SceneText::pixel(pixel.x(), pixel.y(), trace) + valuesAt(pixel) +
-                                 SceneText::ray(trace));
+  showNeighbours(shown);
+  const bool hasFocus = shown == m_focused && !m_focusText.isEmpty();
+  m_ui->inspectorValues->setText(SceneText::pixel(pixel.x(), pixel.y(), trace) + valuesAt(shown) +
+                                 SceneText::ray(trace) + (hasFocus ? '\n' + m_focusText : ""));
   m_ui->inspectorValues->show();
   if (trace.end != RayEnd::seen && trace.end != RayEnd::outsideField) return;
   showPictureOf(job, cellOf(trace.place->i, trace.place->j));

@@ -17,6 +17,7 @@ namespace hogelscope {
 
 class ImageWidget;
 class SceneController;
+struct PickedView;
 
 class Inspector : public QWidget {
   Q_OBJECT
@@ -27,6 +28,8 @@ class Inspector : public QWidget {
 
   /// Follows the pointer over `picture`; shows what is picked in `scene` otherwise.
   void follow(SceneController* scene, ImageWidget* picture);
+  /// Adds a text about the focus of a pixel, shown while that pixel is.
+  void showFocus(const QPoint& pixel, const QString& text);
 
  protected:
   void showEvent(QShowEvent* event) override;
@@ -34,7 +37,7 @@ class Inspector : public QWidget {
  private:
   void point(const QPoint& pixel);
   void refresh();
-  void showPixel(const RenderJob& job, const QPoint& pixel);
+  void showPixel(const PickedView& view, const QPoint& shown);
   void showHogel(const RenderJob& job, const QPoint& hogel);
   void showNothing(const QString& hint);
   void showNeighbours(const QPoint& pixel);
@@ -46,6 +49,8 @@ class Inspector : public QWidget {
   QPointer<SceneController> m_scene;
   QPointer<ImageWidget> m_picture;
   std::optional<QPoint> m_pointed;
+  QPoint m_focused{-1, -1};  ///< the pixel that m_focusText is about
+  QString m_focusText;
 };
 
 }  // namespace hogelscope

@@ -23,6 +23,14 @@ namespace hogelscope {
 
 namespace {
 
+QString eyesText(const CameraState& state) {
+  QStringList parts;
+  if (state.pupil.diameter > 0)
+    parts << Properties::tr("pupil %1 mm").arg(1000 * state.pupil.diameter);
+  if (state.stereo.ipd > 0) parts << Properties::tr("two, %1 mm").arg(1000 * state.stereo.ipd);
+  return parts.isEmpty() ? Properties::tr("one pinhole") : parts.join(QStringLiteral(" · "));
+}
+
 /// Returns what a closed section says of the session and its current state.
 QStringList summariesOf(const Session& session, const CameraState& state) {
   const auto words = [](std::string_view name) {
@@ -38,6 +46,7 @@ QStringList summariesOf(const Session& session, const CameraState& state) {
               .arg(display.directions[0])
               .arg(display.directions[1]),
           QString::fromStdString(state.camera.name),
+          eyesText(state),
           state.distortion == DistortionParams() ? Properties::tr("off") : Properties::tr("on"),
           state.psf.windowSize == 1
               ? Properties::tr("off")
@@ -65,6 +74,9 @@ Properties::Properties(SessionModel* model, QAction* importAction, QMainWindow* 
   add("lightFieldDock", tr("Light field"), m_lightField, window);
   add("displayDock", tr("Display"), stackWidgets({display, m_numbers}), window);
   add("cameraDock", tr("Camera"), new CameraDock(model), window);
+  add("eyesDock", tr("Eyes"),
+      stackWidgets({stateForm(model, &CameraState::pupil), stateForm(model, &CameraState::stereo)}),
+      window);
   add("distortionDock", tr("Lens"), m_distortion, window);
   add("psfDock", tr("Leakage"), new PsfDock(model), window);
   add("samplingDock", tr("Sampling"), stackWidgets({sampling}), window);

@@ -12,6 +12,7 @@
 #include <limits>
 
 #include "core/base/error.h"
+#include "core/optics/eyes.h"
 #include "gui/docks/report_plots.h"
 #include "gui/session/session_forms.h"
 #include "gui/session/session_model.h"
@@ -197,10 +198,10 @@ void ReportDock::noteEdits() {
   if (m_data.rows.empty()) return showIdle();
   if (m_data.isRead) return;
   const auto stateName = [](const CameraState& state) { return state.camera.name; };
-  if (!std::ranges::equal(m_data.session.cameras, m_model->session().cameras, {}, stateName,
-                          stateName))
+  const Session now = withEyes(m_model->session());
+  if (!std::ranges::equal(m_data.session.cameras, now.cameras, {}, stateName, stateName))
     return forget();
-  m_ui->reportStale->setVisible(m_data.session != m_model->session());
+  m_ui->reportStale->setVisible(m_data.session != now);
 }
 
 void ReportDock::addTest(const QString& file) {
@@ -243,7 +244,7 @@ void ReportDock::makeOrStop() {
 }
 
 void ReportDock::start() {
-  ReportData made{m_model->session(), m_ui->reportFolder->text().toStdString()};
+  ReportData made{withEyes(m_model->session()), m_ui->reportFolder->text().toStdString()};
   made.metrics = metricsOf(made.session.metrics);
   for (int k = 0; k < m_ui->testList->count(); ++k)
     made.tests.push_back(m_ui->testList->item(k)->text().toStdString());

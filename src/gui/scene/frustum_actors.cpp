@@ -9,6 +9,7 @@
 
 #include <algorithm>
 
+#include "core/optics/eyes.h"
 #include "core/panel/viewing_zone.h"
 #include "gui/scene/scene_actor.h"
 #include "vtk/line_picker.h"
@@ -86,13 +87,17 @@ void FrustumActors::update() {
     const double length = std::min(1.0, m_size * (among < manyStates ? fullLength : shortLength));
     return CameraFrustum{state.camera, state.intrinsics, number, colour, isOutside, length};
   };
+  const auto eyesIn = [this](const CameraState& state) {
+    return hasFrame(state.camera) ? eyesOf(state, m_display) : std::vector{state};
+  };
   for (std::size_t k = 0; k < m_states.size(); ++k)
-    if (k == m_current)
-      marked.push_back(frustumOf(m_states[k], int(k), bytesOf(m_colours->eye), 1));
-    else
-      others.push_back(frustumOf(m_states[k], int(k),
-                                 m_psnr.hasValue(k) ? m_psnr.colour(k) : bytesOf(m_colours->text3),
-                                 m_states.size()));
+    for (const CameraState& eye : eyesIn(m_states[k]))
+      if (k == m_current)
+        marked.push_back(frustumOf(eye, int(k), bytesOf(m_colours->eye), 1));
+      else
+        others.push_back(frustumOf(
+            eye, int(k), m_psnr.hasValue(k) ? m_psnr.colour(k) : bytesOf(m_colours->text3),
+            m_states.size()));
   for (const CameraState& state : m_preview)
     previewed.push_back(frustumOf(state, -1, bytesOf(m_colours->focus), m_preview.size()));
   m_others->SetFrusta(others);

@@ -500,10 +500,11 @@ void SceneController::showHogel(int i, int j) {
 
 /// Marks the pixels that see the picked hogel.
 void SceneController::markHogel() {
-  const std::optional<RenderJob> view = job();
-  if (!m_hogel || !view) return;
+  const std::optional<PickedView> view = viewAt({});
+  const bool isJoint = view && jointModeOf(m_eyes) && m_model->current().stereo.ipd > 0;
+  if (!m_hogel || !view || isJoint) return;
   m_pixelSearch.start(
-      [this, job = *view, hogel = *m_hogel](const Progress& progress) -> Task::Answer {
+      [this, job = view->job, hogel = *m_hogel](const Progress& progress) -> Task::Answer {
         try {
           const auto runs = pixelsSeeing(job, hogel.x(), hogel.y(), parallelRows, progress);
           return [this, region = regionOf(runs)] { Q_EMIT pixelsMarked(region); };
@@ -518,6 +519,23 @@ std::optional<RenderJob> SceneController::job() const {
   return m_loaded->job(m_model->current());
 }
 
+std::optional<PickedView> SceneController::viewAt(const QPoint& pixel) const {
+  std::optional<RenderJob> view = job();
+  if (!view) return {};
+  const EyePixel eye = eyeAt(m_eyes, view->state, m_display, pixel);
+  view->state = eye.state;
+  const auto [width, height] = eye.state.camera.res;
+  if (!QRect(0, 0, width, height).contains(eye.pixel)) return {};
+  return PickedView{*view, eye.pixel};
+}
+
+void SceneController::setEyes(StereoView eyes) {
+  if (std::exchange(m_eyes, eyes) == eyes) return;
+  forgetPicks();
+  showText();
+  m_scene->redraw();
+}
+
 void SceneController::showPixel(int x, int y) {
   m_pixel = QPoint(x, y);
   tracePixel();
@@ -529,15 +547,13 @@ void SceneController::tracePixel() {
   if (!m_pixel) return;
   const QPoint pixel = *m_pixel;
   forgetPicks();
-  const std::optional<RenderJob> view = job();
+  const std::optional<PickedView> view = viewAt(pixel);
   if (!view) return;
-  const auto [width, height] = view->state.camera.res;
-  if (!QRect(0, 0, width, height).contains(pixel)) return;
   try {
-    const PixelTrace traced = pixelTrace(*view, pixel.x(), pixel.y());
+    const PixelTrace traced = pixelTrace(view->job, view->pixel.x(), view->pixel.y());
     m_pixel = pixel;
     Q_EMIT pixelsMarked(QRect(pixel, QSize(1, 1)));
-    m_pickText = SceneText::pixel(pixel.x(), pixel.y(), traced);
+    m_pickText = SceneText::pixel(view->pixel.x(), view->pixel.y(), traced);
     if (traced.end == RayEnd::noRay) return;
     m_scene->picked().showRay(traced.eye, traced.target);
     if (traced.end == RayEnd::misses) return;

@@ -14,6 +14,7 @@
 #include "gui/scene/scene_worker.h"
 #include "gui/widgets/task.h"
 #include "io/scene/view_source.h"
+#include "picture/stereo_view.h"
 
 class QAction;
 class QLabel;
@@ -54,8 +55,14 @@ class SceneController : public QObject {
   /// Renders the panel again as the scene's eye sees it.
   void renderPanel();
 
+  /// Sets which eyes of a state with two the simulated view shows.
+  void setEyes(StereoView eyes);
+
   /// Returns the current state's rendering job; none without a light field or a state.
   [[nodiscard]] std::optional<RenderJob> job() const;
+  /// Returns the view of the eye that a pixel of the simulated view belongs to, and the pixel
+  /// there; none without a light field or a state, or outside the image.
+  [[nodiscard]] std::optional<PickedView> viewAt(const QPoint& pixel) const;
   [[nodiscard]] const std::optional<QPoint>& pickedPixel() const { return m_pixel; }
   /// The hogel picked in the scene.
   [[nodiscard]] const std::optional<QPoint>& pickedHogel() const { return m_hogel; }
@@ -106,6 +113,7 @@ class SceneController : public QObject {
   std::optional<ViewSource> m_loaded;  ///< none while a light field is read
   std::optional<QPoint> m_pixel;       ///< picked in the current state's view
   std::optional<QPoint> m_hogel;
+  StereoView m_eyes = StereoView::head;
   QString m_pickText;
   bool m_isPanelDark = false;  ///< no light reaches the scene's eye, so the grid marks the panel
   std::vector<std::size_t> m_watched;  ///< states whose images the list shows

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "gui/view/image_commands.h"
 
+#include <QActionGroup>
 #include <QClipboard>
 #include <QFileInfo>
 #include <QGuiApplication>
 #include <QStatusBar>
+#include <array>
 
 #include "gui/session/session_model.h"
 #include "gui/view/comparison_commands.h"
@@ -24,6 +26,7 @@ namespace hogelscope {
 ImageCommands::ImageCommands(QMenu* menu, ImageWidget* view, QVBoxLayout* around,
                              QStatusBar* statusBar, SessionModel* model, QObject* parent)
     : QObject(parent),
+      m_eyes(new QActionGroup(this)),
       m_view(view),
       m_model(model),
       m_comparison(new Comparison(this)),
@@ -83,6 +86,7 @@ void ImageCommands::addCommands(QMenu* menu, QVBoxLayout* around, QStatusBar* st
                       Qt::CTRL | Qt::Key_M},
                      false, m_view, &ImageWidget::showMask);
   connect(m_mask, &QAction::toggled, this, &ImageCommands::requestChanged);
+  addEyes(menu->addMenu(tr("Stereo")));
   m_ofAnyImage << addCommand(menu,
                              {"fitViewAction", tr("&Fit picture"),
                               tr("Shows the whole simulated view"), Qt::CTRL | Qt::Key_5},
@@ -106,6 +110,46 @@ void ImageCommands::addCommands(QMenu* menu, QVBoxLayout* around, QStatusBar* st
                                this, &ImageCommands::copy);
 }
 
+void ImageCommands::addEyes(QMenu* menu) {
+  struct EyesChoice {
+    StereoView view;
+    const char* name;
+    QString title;
+    QString help;
+  };
+  const std::array choices{
+      EyesChoice{StereoView::head, "headViewAction", tr("&Head"),
+                 tr("Shows what one eye between the two would see")},
+      EyesChoice{StereoView::left, "leftEyeAction", tr("&Left eye"),
+                 tr("Shows the left eye's view")},
+      EyesChoice{StereoView::right, "rightEyeAction", tr("&Right eye"),
+                 tr("Shows the right eye's view")},
+      EyesChoice{StereoView::sideBySide, "eyesSideBySideAction", tr("&Side by side"),
+                 tr("Shows the left eye's view on the left: for stereo viewers, or parallel eyes")},
+      EyesChoice{StereoView::anaglyph, "anaglyphAction", tr("&Anaglyph"),
+                 tr("Shows both for glasses with red on the left and cyan on the right")},
+      EyesChoice{StereoView::anaglyphGrey, "anaglyphGreyAction", tr("Anaglyph, &grey"),
+                 tr("Shows the luminance of both for the same glasses")},
+      EyesChoice{StereoView::crossEyed, "crossEyedAction", tr("&Cross-eyed"),
+                 tr("Shows the right eye's view on the left: for crossed eyes")}};
+  int digit = Qt::Key_1;
+  for (const EyesChoice& choice : choices) {
+    QAction* action = addCommand(menu,
+                                 {choice.name, choice.title,
+                                  tr("%1, of states with a distance of the eyes").arg(choice.help),
+                                  Qt::ALT | Qt::SHIFT | Qt::Key(digit++)},
+                                 this, &ImageCommands::requestChanged);
+    action->setCheckable(true);
+    action->setData(int(choice.view));
+    m_eyes->addAction(action);
+  }
+  m_eyes->actions().front()->setChecked(true);
+}
+
+StereoView ImageCommands::eyes() const {
+  return static_cast<StereoView>(m_eyes->checkedAction()->data().toInt());
+}
+
 void ImageCommands::setSource(const std::optional<ViewSource>& own) {
   m_comparison->setSource(own);
   m_output->setSource(own);
@@ -123,7 +167,9 @@ void ImageCommands::show(const RenderedView& view) {
   const bool hasOther = other().has_value();  // false for an image that arrives after the stop
   m_view->setImages(view.image, hasOther ? view.otherImage : QImage());
   m_view->setMask(view.seen, hasOther ? view.otherSeen : QImage());
-  m_view->setTag(view.isOverview  ? tr("Overview: the rest is being fetched")
+  m_view->setTag(view.isOverview ? tr("Overview: the rest is being fetched")
+                 : view.samples > 0 && view.scale == 1
+                     ? tr("Coarse: %n samples of the pupil", "", view.samples)
                  : view.scale > 1 ? tr("Coarse: 1/%1 of the resolution").arg(view.scale)
                                   : QString());
   showNotice({});

@@ -5,6 +5,7 @@
 #include <QObject>
 
 #include "gui/view/comparison.h"
+#include "picture/stereo_view.h"
 
 class QAction;
 class QMenu;
@@ -34,6 +35,8 @@ class ImageCommands : public QObject {
   [[nodiscard]] std::optional<ViewSource> other() const;
   /// Returns whether the mask says why pixels are not seen.
   [[nodiscard]] bool asksWhy() const;
+  /// Returns which eyes of a state with two are shown.
+  [[nodiscard]] StereoView eyes() const;
   void show(const RenderedView& view);
   /// Shows on the image why it is outdated. Until the next image is shown, it can be neither saved
   /// nor copied.
@@ -46,7 +49,7 @@ class ImageCommands : public QObject {
   bool saveImage(const QString& file);
 
  Q_SIGNALS:
-  void requestChanged();  ///< other() or asksWhy() has changed
+  void requestChanged();  ///< other(), asksWhy() or eyes() has changed
   /// Passes the file of the compared light field; "": none.
   void compared(const QString& file);
   void done(const QString& line);
@@ -54,6 +57,7 @@ class ImageCommands : public QObject {
 
  private:
   void addCommands(QMenu* menu, QVBoxLayout* around, QStatusBar* statusBar);
+  void addEyes(QMenu* menu);
   [[nodiscard]] bool isRight() const;
   void stopComparing();
   void stopReading();
@@ -65,6 +69,7 @@ class ImageCommands : public QObject {
 
   QList<QAction*> m_ofAnyImage, m_ofRightImage;  ///< need an image; one that is up to date
   QAction *m_compareIdeal = nullptr, *m_stop = nullptr, *m_mask = nullptr;
+  QActionGroup* m_eyes;
   ImageWidget* m_view;
   SessionModel* m_model;
   Comparison* m_comparison;

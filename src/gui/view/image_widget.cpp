@@ -403,7 +403,10 @@ void ImageWidget::mouseMoveEvent(QMouseEvent* event) {
 void ImageWidget::mouseReleaseEvent(QMouseEvent* event) {
   if (event->button() != Qt::LeftButton) return;
   const std::optional<QPoint> pixel = pixelAt(event->position());
-  if (std::exchange(m_drag, Drag::none) == Drag::press && pixel)
+  if (std::exchange(m_drag, Drag::none) != Drag::press || !pixel) return;
+  if (event->modifiers().testFlag(Qt::ControlModifier))
+    Q_EMIT focusAsked(pixel->x(), pixel->y());
+  else
     Q_EMIT pixelPicked(pixel->x(), pixel->y());
 }
 

@@ -89,6 +89,8 @@ class ImageWidget : public QWidget {
   void imagesChanged();
   /// A click without dragging.
   void pixelPicked(int x, int y);
+  /// The same with Ctrl held.
+  void focusAsked(int x, int y);
   /// Emitted during drawing too.
   void regionChanged(const QRect& region);
   /// The pixel under the pointer; (-1, -1): none.

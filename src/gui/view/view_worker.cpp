@@ -17,6 +17,7 @@
 #include "core/engine/scaled_view.h"
 #include "gui/widgets/task.h"
 #include "picture/conversions.h"
+#include "picture/stereo_picture.h"
 
 namespace hogelscope {
 
@@ -44,6 +45,20 @@ QImage toMask(vtkImageData& output) {
   return mask;
 }
 
+/// The fewest samples of a pupil that show its blur.
+constexpr int fewestSamples = 4;
+
+/// Gives a coarse view fewer samples of its pupil, as many times fewer as `scale`² says. Returns
+/// the scale that is then left: 1 if the samples are enough for full resolution.
+int withFewerSamples(RenderJob& view, int scale) {
+  const Aperture aperture = plan(view).aperture;
+  const auto all = static_cast<int>(aperture.points.size());
+  if (aperture.isPinhole || all <= fewestSamples) return scale;
+  const int wanted = all / (scale * scale);
+  view.state.pupil.samples = std::max(wanted, fewestSamples);
+  return wanted >= fewestSamples ? 1 : scale;
+}
+
 /// Returns the job of a view. For a light field in a store, the coarse image has fewer hogels and
 /// directions instead of fewer pixels, because fetching them dominates. For a live one, where each
 /// texel is expensive after every edit, it has no leakage, which reads the most texels.
@@ -54,6 +69,7 @@ RenderJob viewOf(const ViewSource& source, const CameraState& state,
     return overview(viewOf(source, state, method, 1));
   RenderJob view = method ? applyMethod(*method, source.job(state)) : source.job(state);
   if (scale > 1 && isLive) view.state.psf.windowSize = 1;
+  if (scale > 1) scale = withFewerSamples(view, scale);
   view.method.scale = std::max(view.method.scale, scale);
   return view;
 }
@@ -166,6 +182,39 @@ void ViewWorker::renderNow(const ViewRequest& request) {
   if (staysIdle()) renderAt(1, 0, request);
 }
 
+struct ViewWorker::Shown {
+  QImage image;
+  QImage seen;
+};
+
+/// Renders the views of all eyes that are shown, and joins them.
+ViewWorker::Shown ViewWorker::renderEyes(const ViewSource& source, int scale,
+                                         const ViewRequest& request) {
+  const auto viewFrom = [&](const CameraState& eye) {
+    return viewOf(source, eye, request.method, scale);
+  };
+  const std::optional<StereoMode> mode = jointModeOf(request.eyes);
+  if (!mode || !(request.state.stereo.ipd > 0)) {
+    const EyePixel eye = eyeAt(request.eyes, request.state, source.display, {});
+    return renderEye(viewFrom(eye.state), request.asksWhy);
+  }
+  const bool isAnaglyph = *mode == StereoMode::anaglyph || *mode == StereoMode::anaglyphGrey;
+  std::array<Shown, 2> shown;
+  for (const Eye eye : {Eye::left, Eye::right})
+    shown[std::size_t(eye)] = renderEye(viewFrom(eyeOf(request.state, source.display, eye)),
+                                        request.asksWhy && !isAnaglyph);
+  return {joined(shown[0].image, shown[1].image, *mode),
+          joined(shown[0].seen, shown[1].seen, *mode)};
+}
+
+ViewWorker::Shown ViewWorker::renderEye(const RenderJob& view, bool asksWhy) {
+  m_filter->SetJob(view);
+  m_filter->UpdateOrThrow();
+  Shown shown{toQImage(*m_filter->GetOutput()), toMask(*m_filter->GetOutput())};
+  if (asksWhy) shown.seen = withReasons(shown.seen, view, [this](double) { return !mustStop(); });
+  return shown;
+}
+
 void ViewWorker::renderAt(int scale, double patience, const ViewRequest& request) {
   const auto elapsed = [this] { return double(m_timer.nsecsElapsed()) * 1e-6; };
   m_patience = patience;
@@ -174,33 +223,26 @@ void ViewWorker::renderAt(int scale, double patience, const ViewRequest& request
   ViewSource source = *m_source;
   source.display = resolved(request.display, source.lightField->size());
   source.sampling = request.sampling;
-  const RenderJob view = viewOf(source, request.state, request.method, scale);
   try {
     if (request.other) {
-      m_filter->SetJob(viewOf(*request.other, request.state, request.method, scale));
-      m_filter->UpdateOrThrow();
-      result.otherImage = toQImage(*m_filter->GetOutput());
-      result.otherSeen = toMask(*m_filter->GetOutput());
+      const Shown other = renderEyes(*request.other, scale, request);
+      result.otherImage = other.image;
+      result.otherSeen = other.seen;
     }
-    m_filter->SetJob(view);
-    m_filter->UpdateOrThrow();
+    const Shown own = renderEyes(source, scale, request);
+    result.image = own.image;
+    result.seen = own.seen;
   } catch (const Cancelled&) {
     m_pace.stopped(elapsed());
     throw;
   }
   result.milliseconds = elapsed();
   m_pace.rendered(scale, result.milliseconds);
-  result.image = toQImage(*m_filter->GetOutput());
-  result.seen = toMask(*m_filter->GetOutput());
-  if (request.asksWhy) {
-    const Progress progress = [this](double) { return !mustStop(); };
-    result.seen = withReasons(result.seen, view, progress);
-    if (request.other)
-      result.otherSeen = withReasons(
-          result.otherSeen, viewOf(*request.other, request.state, request.method, scale), progress);
-  }
-  result.scale = scale;
-  result.isOverview = view.lightField != source.lightField;
+  const RenderJob& made = m_filter->GetJob();
+  result.isOverview = made.lightField != source.lightField;
+  if (scale > 1 && made.state.pupil.samples != request.state.pupil.samples)
+    result.samples = made.state.pupil.samples;
+  result.scale = result.samples > 0 ? made.method.scale : scale;
   result.plan = planOf(m_filter->GetChoice().job);
   send([this, result] { Q_EMIT rendered(result); });
 }

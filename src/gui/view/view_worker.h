@@ -19,6 +19,7 @@
 #include "core/optics/session.h"
 #include "gui/widgets/latest_wins.h"
 #include "io/scene/view_source.h"
+#include "picture/stereo_view.h"
 #include "study/tradeoff.h"
 #include "vtk/vtkHogelViewFilter.h"
 
@@ -33,6 +34,7 @@ struct RenderedView {
   double milliseconds = 0;  ///< of both images
   int scale = 1;            ///< above 1: a coarse image shown during editing
   bool isOverview = false;  ///< coarse by fewer hogels and directions, not by scale
+  int samples = 0;          ///< of the pupil, if they are fewer than wanted; otherwise 0
   QString plan;             ///< the rendering plan in one line
 };
 
@@ -51,6 +53,7 @@ struct ViewRequest {
   std::optional<NamedMethod> method;  ///< none: the session's own
   std::optional<ViewSource> other;    ///< the second light field
   bool asksWhy = false;               ///< why pixels are not seen
+  StereoView eyes = StereoView::head;
 };
 
 /// Emits all signals on the thread that the object lives in. Its end stops a running job. No signal
@@ -88,6 +91,9 @@ class ViewWorker : public QObject {
   void loadNow(const Session& session);
   void renderNow(const ViewRequest& request);
   void renderAt(int scale, double patience, const ViewRequest& request);
+  struct Shown;
+  Shown renderEyes(const ViewSource& source, int scale, const ViewRequest& request);
+  Shown renderEye(const RenderJob& view, bool asksWhy);
   void certifyNow(const ViewRequest& request);
   [[nodiscard]] bool hasNewer(bool isLoading);
   [[nodiscard]] bool mustStop();
