@@ -65,6 +65,8 @@ class TestEyes : public QObject {
   void joinedPictures();
   void focusStackOfBothEyes();
   void reportHasARowForEachEye();
+  void largeLightFieldsAreTheSame();
+  void cameraSetsKeepThem();
   void documentsKeepThem();
   void refusals_data();
   void refusals();
@@ -202,6 +204,55 @@ void TestEyes::reportHasARowForEachEye() {
   for (const QStringList& row : metrics.mid(1)) QCOMPARE(row[weight], QString("0.5"));
   QCOMPARE(namesIn("out/reference"),
            (QStringList{"Fig 4.left.png", "Fig 4.right.png", "Fig 5.left.png", "Fig 5.right.png"}));
+}
+
+/// In memory, read once from the top, and in a store that is read piece by piece.
+void TestEyes::largeLightFieldsAreTheSame() {
+  const QString session = QStringLiteral(HOGELSCOPE_SOURCE_DIR "/data/table1.json");
+  const QStringList pictures{"--render",
+                             "--states",
+                             "Fig [34]",
+                             "--set",
+                             "camera.res=[50,40]",
+                             "--set",
+                             "pupil.diameter=0.03",
+                             "--set",
+                             "pupil.focus=0.4",
+                             "--set",
+                             "stereo.ipd=0.06",
+                             "--masks",
+                             "--quiet"};
+  const auto rendered = [&](const QStringList& more, const QString& folder) {
+    const Outcome outcome =
+        run(pictures + more + QStringList{"--output", folder}, m_folder->path());
+    if (outcome.status != 0) qFatal("%s", outcome.err.constData());
+    QList<std::vector<std::uint8_t>> all;
+    for (const QString& name : namesIn(folder)) all << valuesOf<std::uint8_t>(folder + "/" + name);
+    return all;
+  };
+  const auto whole = rendered({"--session", session}, "whole");
+  QCOMPARE(whole.size(), 8);
+  QVERIFY(rendered({"--session", session, "--memory", "12"}, "streamed") == whole);
+  QCOMPARE(run({"--pack", HOGELSCOPE_SOURCE_DIR "/data/scene.png", "--session", session, "--output",
+                "store.tif", "--quiet"},
+               m_folder->path())
+               .err,
+           QByteArray());
+  QVERIFY(
+      rendered({"--session", session, "--set", "lightField.file=" + m_folder->filePath("store.tif"),
+                "--set", "lightField.layout=pack", "--memory", "12"},
+               "store") == whole);
+}
+
+/// The states of a set and of a trace are heads.
+void TestEyes::cameraSetsKeepThem() {
+  QCOMPARE(run({"--make-cameras", "random", "--session", sampleSession, "--count", "3", "--set",
+                "stereo.ipd=0.06", "--set", "pupil.diameter=0.004", "--output", "set.json"},
+               m_folder->path())
+               .status,
+           0);
+  for (const CameraState& state : loadSession("set.json").cameras)
+    QVERIFY(state.stereo.ipd == 0.06 && state.pupil.diameter == 0.004);
 }
 
 void TestEyes::documentsKeepThem() {

@@ -85,6 +85,31 @@ class TestViewWorker : public QObject {
     QCOMPARE(certified.last()[0].value<CertifiedLens>().key.res, (std::array{64, 48}));
   }
 
+  /// What takes too long for a moving hand comes with fewer samples of the pupil first, then with
+  /// all.
+  void aMovingPupilHasFewerSamples() {
+    ViewWorker worker;
+    QSignalSpy loaded(&worker, &ViewWorker::loaded);
+    QSignalSpy rendered(&worker, &ViewWorker::rendered);
+    worker.load(m_session);
+    QVERIFY(loaded.wait(patience));
+    CameraState state = plain(m_session.cameras[0]);
+    state.camera.res = {1600, 1200};
+    state.pupil = {0.05, 0.4, 1024};
+    worker.render(request(state));
+    QTRY_COMPARE_WITH_TIMEOUT(rendered.size(), 1, patience);
+    const auto viewAt = [&](qsizetype k) { return rendered[k][0].value<RenderedView>(); };
+    QCOMPARE(viewAt(0).samples, 0);
+    state.pupil.focus = 0.5;
+    worker.render(request(state));
+    QTRY_COMPARE_WITH_TIMEOUT(rendered.size(), 3, patience);
+    QVERIFY2(viewAt(1).samples >= 4 && viewAt(1).samples < 1024,
+             qPrintable(QString::number(viewAt(1).samples)));
+    QCOMPARE(viewAt(1).image.size(), QSize(1600, 1200));
+    QVERIFY(viewAt(2).samples == 0 && viewAt(2).scale == 1);
+    QVERIFY(viewAt(2).plan.contains("1024 samples of the pupil"));
+  }
+
  private:
   [[nodiscard]] ViewRequest request(const CameraState& state) const {
     return {state, displayOf(m_session), m_session.sampling, {}, {}};

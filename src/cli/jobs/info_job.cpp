@@ -181,6 +181,14 @@ void printMesh(std::ostream& out, const Session& around) {
   printSize(out, around);
 }
 
+/// Returns the pupil and the distance of the eyes, as far as they are there.
+std::string eyesText(const CameraState& state) {
+  std::string text;
+  if (state.pupil.diameter > 0) text += ", pupil " + numberText(state.pupil.diameter) + " m";
+  if (state.stereo.ipd > 0) text += ", eyes " + numberText(state.stereo.ipd) + " m apart";
+  return text;
+}
+
 void printSession(std::ostream& out, const Session& session) {
   out << "session     " << session.cameras.size() << " camera state(s)\n"
       << "display     " << sizeText(session.display) << "\n"
@@ -192,8 +200,8 @@ void printSession(std::ostream& out, const Session& session) {
     out << "state       " << name << ": eye (" << numberText(eye.x) << ", " << numberText(eye.y)
         << ", " << numberText(eye.z) << ") m, fov " << numberText(fov) << "°, " << res[0] << "×"
         << res[1] << " px, psf sigma " << numberText(state.psf.sigma) << " in "
-        << state.psf.windowSize << " px" << (weight == 1 ? "" : ", weight " + numberText(weight))
-        << "\n";
+        << state.psf.windowSize << " px" << eyesText(state)
+        << (weight == 1 ? "" : ", weight " + numberText(weight)) << "\n";
   }
 }
 
