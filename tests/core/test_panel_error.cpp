@@ -171,6 +171,7 @@ void TestPanelError::samplesAndMethodsDoNotMatter() {
   scene.job.sampling.samplesPerPixel = 2;
   scene.job.sampling.reconstruction = Reconstruction::quadrilinear;
   scene.job.state.psf = {2, 9};
+  scene.job.state.pupil = {scene.job.display.size[0] / 2, 1, 5};
   scene.job.method.lens = LensInverse::table;
   scene.job.method.lensSteps = 8;
   PanelError other(scene.content.size);

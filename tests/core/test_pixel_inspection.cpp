@@ -69,7 +69,8 @@ void TestPixelInspection::aHogelsPixelsAreThoseThatSeeIt() {
   Random random(5);
   int found = 0;
   for (int k = 0; k < 60; ++k) {
-    const RandomScene scene = randomScene(random);
+    RandomScene scene = randomScene(random);
+    if (k % 2 == 0) scene.job.state.pupil = {scene.job.display.size[0] / 2, 1, 5};
     const LightFieldSize size = scene.job.lightField->size();
     const auto [width, height] = scene.job.state.camera.res;
     std::vector<PixelRun> runs;

@@ -30,11 +30,16 @@ void addRuns(const ViewRays& rays, int y, std::uint32_t i, std::uint32_t j,
 
 }  // namespace
 
+RenderJob middleRays(RenderJob job) {
+  job.sampling.samplesPerPixel = 1;
+  job.state.pupil = {};
+  job.method = {};
+  return job;
+}
+
 std::vector<PixelRun> pixelsSeeing(const RenderJob& job, int i, int j,
                                    const ParallelRows& parallelRows, const Progress& progress) {
-  RenderJob middle = job;
-  middle.sampling.samplesPerPixel = 1;
-  middle.method = {};
+  const RenderJob middle = middleRays(job);
   LensTables tables;
   const ViewRays rays(middle, tables, parallelRows, progress);
   if (rays.seesNothing()) return {};

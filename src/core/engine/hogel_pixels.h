@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Finds the pixels of a view that see a hogel, and why others see none.
+// Finds the pixels of a view that see a hogel, and why others see none, by their middle rays.
 #pragma once
 
 #include <cstdint>
@@ -12,6 +12,9 @@
 #include "core/optics/pixel_inspection.h"
 
 namespace hogelscope {
+
+/// Returns the view with only the ray from the eye through the middle of each pixel.
+RenderJob middleRays(RenderJob job);
 
 /// Returns the pixels whose middle ray meets hogel (i, j) inside its angular field, from the top.
 /// Throws InputError as Simulation does, and Cancelled.

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "core/base/multiversioned.h"
-#include "core/engine/view_rays.h"
+#include "core/engine/hogel_pixels.h"
 
 namespace hogelscope {
 
@@ -19,13 +19,6 @@ constexpr std::uint32_t nowhere = std::numeric_limits<std::uint32_t>::max();
 
 std::size_t product(int a, int b) {
   return std::size_t(a) * std::size_t(b);
-}
-
-/// Returns a job with one exact ray through each pixel's centre, however the image was rendered.
-RenderJob raysThroughCentres(RenderJob job) {
-  job.sampling.samplesPerPixel = 1;
-  job.method = {};
-  return job;
 }
 
 MULTIVERSIONED
@@ -125,7 +118,7 @@ void PanelError::add(const PanelError& other) {
 void PanelError::add(const RenderJob& job, LensTables& tables, const ParallelRows& parallelRows,
                      const Image& reference, const Image& test, const Progress& progress) {
   checkSizes(job, m_size, reference, test);
-  const ViewRays rays(raysThroughCentres(job), tables, parallelRows, progress);
+  const ViewRays rays(middleRays(job), tables, parallelRows, progress);
   for (auto* list : {&m_pixels.hogel, &m_pixels.direction}) list->resize(reference.pixelCount());
   m_pixels.squares.resize(reference.pixelCount());
   const auto batchAt = [&](int y, int x0, int count) {

@@ -31,6 +31,7 @@ RenderJob quick(const RenderJob& asked) {
   RenderJob view = overview(asked);
   view.sampling.tolerance = 0;
   view.sampling.samplesPerPixel = 1;
+  view.state.pupil = {};
   return view;
 }
 
