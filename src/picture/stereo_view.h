@@ -35,7 +35,7 @@ struct PickedView {
 /// with one eye is always shown itself.
 inline EyePixel eyeAt(StereoView view, const CameraState& state, const DisplayParams& display,
                       QPoint pixel) {
-  if (view == StereoView::head || !(state.stereo.ipd > 0)) return {state, pixel};
+  if (view == StereoView::head || !hasTwoEyes(state)) return {state, pixel};
   Eye eye = view == StereoView::right ? Eye::right : Eye::left;
   const int width = state.camera.res[0];
   if (view == StereoView::sideBySide || view == StereoView::crossEyed) {

@@ -71,7 +71,7 @@ std::shared_ptr<Content> SessionViews::ownOf(const Session& session, const Progr
 void expand(Session& session, const PanelParams& display, const RenderRequest& request) {
   if (request.eye)
     for (CameraState& state : session.cameras) {
-      if (!(state.stereo.ipd > 0))
+      if (!hasTwoEyes(state))
         throw InputError(state.camera.name, "stereo.ipd", "is 0, so there is one eye: give metres");
       state = eyeOf(state, session.display, *request.eye);
     }

@@ -292,6 +292,7 @@ void TestEyes::refusals_data() {
                            << QByteArray("--stereo anaglyph: needs two eyes");
   QTest::newRow("video of two") << QStringList{"--video", "v.mp4", "--set", "stereo.ipd=0.06"}
                                 << QByteArray("--video: has one picture for both eyes");
+  QTest::newRow("slash") << set("camera.name=a/left") << QByteArray("has a slash");
 }
 
 void TestEyes::refusals() {

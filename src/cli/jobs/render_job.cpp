@@ -197,8 +197,7 @@ void keepShard(Session& session, const Shard& shard) {
 std::optional<StereoMode> stereoModeOf(const CommandLine& line, const Session& session) {
   if (!line.has("stereo")) return std::nullopt;
   const std::string text = line.text("stereo");
-  const auto areTwo = [](const CameraState& state) { return state.stereo.ipd > 0; };
-  if (std::ranges::none_of(session.cameras, areTwo))
+  if (std::ranges::none_of(session.cameras, hasTwoEyes))
     throw InputError("--stereo " + text,
                      "needs two eyes, but no state has them: --set stereo.ipd=0.063");
   const auto names = stereoModeNames();
@@ -220,9 +219,11 @@ void requireVideo(const CommandLine& line, const Session& session) {
     throw InputError("--video",
                      "is of all pictures, and these are PNG: leave out --shard, --format");
   requireOneSize(session.cameras);
-  const auto areTwo = [](const CameraState& state) { return state.stereo.ipd > 0; };
-  if (!line.has("stereo") && std::ranges::any_of(session.cameras, areTwo))
+  if (std::ranges::none_of(session.cameras, hasTwoEyes)) return;
+  if (!line.has("stereo"))
     throw InputError("--video", "has one picture for both eyes: add --stereo side-by-side");
+  if (!std::ranges::all_of(session.cameras, hasTwoEyes))
+    throw InputError("--video", "has pictures of one size, but only some states have two eyes");
 }
 
 /// Returns the size of a video's pictures.
@@ -240,13 +241,18 @@ int runRender(const CommandLine& line) {
   if (line.has("between"))
     session.cameras = statesAlong({PathKind::between, int(*line.number("between"))}, session, 0);
   if (line.has("video") || line.has("fps")) requireVideo(line, session);
+  const std::optional<StereoMode> stereo = stereoModeOf(line, session);
   if (const auto shard = shardOf(line)) keepShard(session, *shard);
   // Opened first, so that an invalid file leaves no folder behind.
   const auto file = openLightField(session.lightField, session.display);
-  RenderOutput output{line.text("session"), line.text("output"), line.text("format", "png"),
-                      line.has("masks"),    line.has("explain"), line.has("ideal")};
+  RenderOutput output{line.text("session"),
+                      line.text("output"),
+                      line.text("format", "png"),
+                      line.has("masks"),
+                      line.has("explain"),
+                      line.has("ideal"),
+                      stereo};
   if (output.isIdeal) requireLive(session);
-  output.stereo = stereoModeOf(line, session);
   const PanelParams display = resolved(displayOf(session), file->size());
   const Pictures pictures(session, display, int(line.number("focus-stack").value_or(0)), output);
   std::vector<fs::path> files = output.allFiles(pictures.all);

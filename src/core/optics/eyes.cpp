@@ -31,7 +31,7 @@ CameraState eyeOf(const CameraState& head, const DisplayParams& display, Eye eye
 }
 
 std::vector<CameraState> eyesOf(const CameraState& head, const DisplayParams& display) {
-  if (!(head.stereo.ipd > 0)) return {head};
+  if (!hasTwoEyes(head)) return {head};
   return {eyeOf(head, display, Eye::left), eyeOf(head, display, Eye::right)};
 }
 

@@ -14,6 +14,10 @@ enum class Eye { left, right };
 /// Returns "left" or "right".
 std::string_view nameOf(Eye eye);
 
+inline bool hasTwoEyes(const CameraState& state) {
+  return state.stereo.ipd > 0;
+}
+
 /// Returns the state of one eye (docs/formulas.md, Stereo): "NAME/left" or "NAME/right", with half
 /// of the head's weight and no `stereo`. Its axis is parallel to the head's, and its principal
 /// point is shifted so that the panel's centre has no disparity. Throws InputError as Camera does.

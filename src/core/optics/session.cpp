@@ -24,7 +24,7 @@ std::string statePath(std::size_t index) {
 void checkEyeNames(const std::vector<CameraState>& states,
                    const std::map<std::u32string, std::size_t>& places) {
   for (const CameraState& head : states) {
-    if (!(head.stereo.ipd > 0)) continue;
+    if (!hasTwoEyes(head)) continue;
     for (const Eye eye : {Eye::left, Eye::right}) {
       const std::string file = head.camera.name + "." + std::string(nameOf(eye));
       const auto same = places.find(caseFolded(file));

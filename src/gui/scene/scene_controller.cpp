@@ -501,7 +501,7 @@ void SceneController::showHogel(int i, int j) {
 /// Marks the pixels that see the picked hogel.
 void SceneController::markHogel() {
   const std::optional<PickedView> view = viewAt({});
-  const bool isJoint = view && jointModeOf(m_eyes) && m_model->current().stereo.ipd > 0;
+  const bool isJoint = view && jointModeOf(m_eyes) && hasTwoEyes(m_model->current());
   if (!m_hogel || !view || isJoint) return;
   m_pixelSearch.start(
       [this, job = view->job, hogel = *m_hogel](const Progress& progress) -> Task::Answer {

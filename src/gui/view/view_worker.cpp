@@ -194,7 +194,7 @@ ViewWorker::Shown ViewWorker::renderEyes(const ViewSource& source, int scale,
     return viewOf(source, eye, request.method, scale);
   };
   const std::optional<StereoMode> mode = jointModeOf(request.eyes);
-  if (!mode || !(request.state.stereo.ipd > 0)) {
+  if (!mode || !hasTwoEyes(request.state)) {
     const EyePixel eye = eyeAt(request.eyes, request.state, source.display, {});
     return renderEye(viewFrom(eye.state), request.asksWhy);
   }
