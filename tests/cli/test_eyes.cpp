@@ -190,9 +190,11 @@ void TestEyes::focusStackOfBothEyes() {
 }
 
 void TestEyes::reportHasARowForEachEye() {
-  const QStringList report{
-      "--report", "--session", sampleSession, "--test", sampleSession,        "--output", "out",
-      "--states", "Fig [45]",  "--images",    "--set",  "camera.res=[40,30]", "--quiet"};
+  const QStringList report{"--report", "--session", sampleSession,
+                           "--output", "out",       "--states",
+                           "Fig [45]", "--test",    HOGELSCOPE_SOURCE_DIR "/tests/data/scene.png",
+                           "--images", "--set",     "camera.res=[40,30]",
+                           "--quiet"};
   QCOMPARE(run(report + QStringList{"--set", "stereo.ipd=0.06"}, m_folder->path()).err,
            QByteArray());
   QStringList names;

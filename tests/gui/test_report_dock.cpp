@@ -81,6 +81,7 @@ class TestReportDock : public QObject {
   void worstAndBest();
   void aRowIsComparedInTheView();
   void theSceneIsTold();
+  void bothEyesHaveARow();
   void plotsShowTheRows();
   void meansAndEyes();
   void namesAreShort();
@@ -415,6 +416,36 @@ void TestReportDock::theSceneIsTold() {
   QVERIFY(files(*m_window).open(m_folder->filePath("s.json")));
   QVERIFY(last().empty());
   QCOMPARE(table->model()->rowCount(), 0);
+}
+
+/// Each eye has one; the state's figure is that of the worse one.
+void TestReportDock::bothEyesHaveARow() {
+  open();
+  auto* model = m_window->findChild<SessionModel*>();
+  CameraState head = model->current();
+  head.stereo.ipd = 0.1;
+  model->setCurrent(head);
+  QSignalSpy told(m_dock, &ReportDock::psnrChanged);
+  m_dock->addTest("b.png");
+  click("makeReportButton");
+  QTRY_VERIFY_WITH_TIMEOUT(child<QLabel>("reportNote")->text().contains("mean of the finite"),
+                           patience);
+  QCOMPARE(int(states().size()), stateCount + 1);
+  const QList<QByteArray> lines = contentOf("s-report/report.csv").split('\n');
+  QCOMPARE(cellsOf(lines[1])[0], QString("s0/left"));
+  QCOMPARE(cellsOf(lines[2])[0], QString("s0/right"));
+  const double left = cellsOf(lines[1])[5].toDouble();
+  const double right = cellsOf(lines[2])[5].toDouble();
+  QVERIFY(left != right);
+  const auto last = told.last()[0].value<std::vector<double>>();
+  QCOMPARE(last.size(), std::size_t(stateCount));
+  QCOMPARE(last[0], std::min(left, right));
+  auto* table = child<QTableView>("reportTable");
+  for (const char* name : {"s2", "s0/right", "s1", "s0/left"}) {
+    table->selectRow(rowOf(name));
+    QCOMPARE(state(table->currentIndex().row()), QString(name));
+    QCOMPARE(child<QComboBox>("stateBox")->currentText(), QString(name).section('/', 0, 0));
+  }
 }
 
 /// A point of each row that compares something, where its PSNR says; a click chooses the row.

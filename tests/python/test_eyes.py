@@ -80,6 +80,19 @@ class Eyes(FolderTest):
         self.assertIsNone(self.session.render(state, self.light).focus)
         self.assertEqual(len(self.session.render([state, state], self.light, focus_stack=2)), 4)
 
+    def test_reports_have_both_eyes(self):
+        state = {"name": "a", "eye": [0, 0, 0.6], "res": [60, 40], "stereo": {"ipd": 0.06}}
+        session = hs.Session({**small_session(), "cameras": [state]})
+        rows = hs.report(
+            session,
+            {"same": self.light, "dark": self.light // 2},
+            light_field=self.light,
+            output=self.path("out"),
+        )
+        self.assertEqual([row["state"] for row in rows], ["a/left", "a/left", "a/right", "a/right"])
+        self.assertEqual({row["weight"] for row in rows}, {0.5})
+        self.assertEqual([row["problem"] for row in rows], [""] * 4)
+
     def test_refusals(self):
         state = {"eye": [0, 0, 0.6], "res": [6, 4]}
         for wrong in (

@@ -73,7 +73,7 @@ void check(const CameraState& state, const std::string& path) {
                          ": give a sigma above 0, or windowSize 1 for no leakage");
 }
 
-void check(const Session& session) {
+void checkLightField(const Session& session) {
   const bool isLive = session.lightField.isLive();
   if (isLive && session.lightField.source.empty())
     throw InputError("lightField.source", "is missing: name what computes the content");
@@ -94,6 +94,10 @@ void check(const Session& session) {
     throw InputError(
         session.display.hogels[0] > 0 ? "display.directions" : "display.hogels",
         std::string("is missing: a ") + (isLive ? "scene" : "hogel image") + " does not say it");
+}
+
+void check(const Session& session) {
+  checkLightField(session);
   checkMetrics(session.metrics);
   if (session.cameras.empty())
     throw InputError("cameras", "is empty: give at least one camera state");

@@ -38,6 +38,9 @@ struct Session {
 /// Checks the rules that join several fields. Throws InputError with the JSON path of the field.
 void check(const Session& session);
 
+/// Checks those of them that are about the display and its light field.
+void checkLightField(const Session& session);
+
 /// Checks the rules of one state; paths begin with `path`, such as "cameras[2]".
 void check(const CameraState& state, const std::string& path);
 

@@ -390,7 +390,8 @@ void ReportDock::emitPsnr() {
     dB.assign(m_model->session().cameras.size(), std::numeric_limits<double>::quiet_NaN());
     for (std::size_t state = 0; state < m_data.session.cameras.size(); ++state)
       if (const auto index = m_data.stateIn(m_model->session(), state))
-        dB[*index] = m_data.psnr(m_data.order().row(state, m_test));
+        // The worse one of two eyes; NaN gives way.
+        dB[*index] = std::fmin(dB[*index], m_data.psnr(m_data.order().row(state, m_test)));
   }
   if (std::ranges::all_of(dB, [](double value) { return std::isnan(value); })) dB.clear();
   Q_EMIT psnrChanged(dB);
@@ -440,15 +441,19 @@ void ReportDock::chooseExtreme(bool isBest) {
   compare();
 }
 
-/// Chooses the row of the session's current state.
+/// Chooses a row of the session's current state, unless one of it is chosen.
 void ReportDock::followSession() {
   if (m_model == nullptr || m_data.rows.empty()) return;
+  const auto isCurrent = [this](std::size_t state) {
+    return m_data.stateIn(m_model->session(), state) == m_model->currentIndex();
+  };
+  if (const auto chosen = chosenState(); chosen && isCurrent(*chosen)) return;
   for (std::size_t state = 0; state < m_data.session.cameras.size(); ++state)
-    if (m_data.stateIn(m_model->session(), state) == m_model->currentIndex() &&
-        chosenState() != state) {
+    if (isCurrent(state)) {
       const bool wasFollowing = std::exchange(m_follows, true);
       chooseState(state);
       m_follows = wasFollowing;
+      return;
     }
 }
 

@@ -227,7 +227,7 @@ Session withLightField(const Session& session, const std::string& file) {
     result.lightField = other.lightField;
   } else {
     result.lightField = withFile(session.lightField, file);
-    check(result);
+    checkLightField(result);
   }
   return result;
 }
