@@ -2,6 +2,10 @@
 // Maps of the success of lens inverses over planes of two coefficients.
 #pragma once
 
+#include <array>
+#include <string>
+
+#include "core/base/parallel.h"
 #include "core/base/progress.h"
 #include "study/lens_outcomes.h"
 
