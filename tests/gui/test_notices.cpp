@@ -170,7 +170,7 @@ void TestNotices::aHogelImageSaysWhatItNeeds() {
   for (const char* name : {"directions.0", "directions.1"})
     editor<QSpinBox>("displayArea", name)->setValue(4);
   QTRY_VERIFY_WITH_TIMEOUT(isRight(), patience);
-  QVERIFY(equals(view()->image(), expected()));
+  QTRY_VERIFY_WITH_TIMEOUT(equals(view()->image(), expected()), patience);  // a coarse one first
 }
 
 void TestNotices::aPathThatCannotBeReadAndItsUndo() {

@@ -380,8 +380,7 @@ class TestScene : public SceneTest {
     const int dashes = lineAt(some, 0, z);
     QVERIFY2(dashes > 5 && dashes < 60, qPrintable(QString::number(dashes)));
     edit("eye.2", 0.3);  // too near to see the whole panel
-    QTest::qWait(50);
-    QCOMPARE(lineAt(whole, 0, z), 0);
+    QTRY_COMPARE_WITH_TIMEOUT(lineAt(whole, 0, z), 0, patience);
   }
 
   void coloursFollowTheScheme() {
