@@ -22,6 +22,10 @@ cp "$output/stability/stability.png" resources/manual/stability.png
   --set camera.fov=31 --output "$output"
 "$program" --render --session data/table1.json --states 'Fig 1' --set 'camera.res=[440,280]' \
   --set camera.fov=36 --output "$output"
+"$program" --render --session data/room.json --states front --set 'camera.res=[420,420]' \
+  --set pupil.diameter=0.012 --focus-stack 2 --output "$output"
+cp "$output/front.focus01.png" resources/manual/focus_near.png
+cp "$output/front.focus02.png" resources/manual/focus_far.png
 cp "$output/front.png" resources/home/room.png
 cp "$output/Fig 1.png" resources/home/table1.png
 screenshots() {
