@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 
+#include "gui/widgets/colours.h"
 #include "ui_key_dialog.h"
 
 namespace hogelscope {
