@@ -104,6 +104,7 @@ void TradeoffChart::paintAll(QPainter& painter, const QSizeF& size, const ChartC
   const TradeoffAxes axes = this->axes(size, painter.font());
   const std::vector<PlacedName> names = placeNames(m_rows, axes, which);
   std::vector<QRectF> gaps;
+  gaps.reserve(names.size());
   for (const PlacedName& name : names) gaps.push_back(name.box);
   axes.paint(painter, colours, QString::fromStdString(m_question) + ", RMS in code values", gaps);
   painter.setPen(QPen(colours.text, 2));

@@ -47,6 +47,7 @@ std::string curveOf(const std::string& name) {
 
 std::vector<std::string> shortNames(const std::vector<std::string>& files) {
   std::vector<Parts> paths;
+  paths.reserve(files.size());
   for (const std::string& file : files) paths.push_back(partsOf(file));
   std::vector<std::string> names;
   for (const Parts& path : paths) {

@@ -33,6 +33,7 @@ std::vector<double> focusDistances(const CameraState& state, const PanelParams& 
                      "has no range: the depths that the display can show are not between 0.1 and "
                      "10 m from the eye");
   std::vector<double> distances;
+  distances.reserve(std::size_t(count));
   for (int k = 0; k < count; ++k)
     distances.push_back(1 / std::lerp(first, last, double(k) / (count - 1)));
   return distances;

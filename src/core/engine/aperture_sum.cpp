@@ -57,12 +57,12 @@ struct ApertureSum::Scratch {
   Scratch(std::size_t raysOfPoint, std::size_t points)
       : ideals(raysOfPoint), keys(points), unique(points), counts(points) {}
 
-  std::vector<IdealBatch> ideals;  ///< of the rays from any point
-  CellBatch cells{};
-  TexelFilter::Scratch taps;
   LightBatch light{};
   LightBatch point{};
   LightBatch sum{};
+  std::vector<IdealBatch> ideals;  ///< of the rays from any point
+  CellBatch cells{};
+  TexelFilter::Scratch taps;
   std::array<std::uint8_t, batchSize> seen{};    ///< from one point
   std::array<std::int32_t, batchSize> seeing{};  ///< points that see the display
   MiddleBatch middle{};

@@ -217,15 +217,15 @@ void ViewRays::eachBatch(int y, int x0, int x1, const Use& use) const {
 }
 
 void ViewRays::addFootprint(int y, int x0, int x1, Footprint& result) const {
-  const auto [nx, ny, du, dv] = m_display.size();
+  const LightFieldSize& size = m_display.size();
   const Reconstruction reconstruction = m_job.sampling.reconstruction;
   const Reach reach{reconstruction == Reconstruction::quadrilinear ? 1 : 0,
                     m_plan.psfReach + (reconstruction == Reconstruction::nearest ? 0 : 1)};
   eachBatch(y, x0, x1, [&](std::size_t count, const CellBatch& batch) {
     for (std::size_t k = 0; k < count; ++k) {
       if (batch.seen[k] == 0) continue;
-      widen(result.u, int(batch.cell[0][k]), int(batch.cell[2][k]), reach, du);
-      widen(result.v, int(batch.cell[1][k]), int(batch.cell[3][k]), reach, dv);
+      widen(result.u, int(batch.cell[0][k]), int(batch.cell[2][k]), reach, size.du);
+      widen(result.v, int(batch.cell[1][k]), int(batch.cell[3][k]), reach, size.dv);
     }
   });
 }

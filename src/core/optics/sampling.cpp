@@ -25,8 +25,10 @@ void describe(ParameterVisitor& v, SamplingParams& p) {
 std::vector<RaySample> samplesOf(int n, std::size_t points) {
   std::vector<RaySample> samples;
   for (std::size_t point = 0; point < points; ++point)
-    for (int k = 0; k < n * n; ++k)
-      samples.push_back({k, {(k % n + 0.5) / n, (k / n + 0.5) / n}, point});
+    for (int k = 0; k < n * n; ++k) {
+      const int row = k / n;
+      samples.push_back({k, {(k % n + 0.5) / n, (row + 0.5) / n}, point});
+    }
   return samples;
 }
 
