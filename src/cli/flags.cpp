@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <iterator>
 
 #include "core/base/error.h"
 #include "core/base/text.h"
@@ -66,77 +67,84 @@ FlagGroup inputs() {
                 "too. Repeat it for more."}}};
 }
 
+/// Returns the flags that choose what a session's states give.
+std::vector<Flag> outputsOfStates() {
+  return {{.name = "format",
+           .value = "png|exr|tif",
+           .jobs = {render},
+           .choices = {"png", "exr", "tif"},
+           .help = "Of the pictures: EXR holds the unrounded values, TIFF 16 bits."},
+          {.name = "ideal",
+           .jobs = {render},
+           .help = "In place of what the display shows: what the eye would see of the session's "
+                   "live scene itself through the panel."},
+          {.name = "stereo",
+           .value = "MODE",
+           .jobs = {render},
+           .choices = {stereoModeNames().begin(), stereoModeNames().end()},
+           .help = "One picture for both eyes, DIR/<name>.png, of states with stereo.ipd, in "
+                   "place of one for each: side-by-side, anaglyph, anaglyph-grey (red on the left "
+                   "and cyan on the right), cross-eyed."},
+          {.name = "focus-stack",
+           .value = "N",
+           .jobs = {render},
+           .range = NumberRange{.min = 2, .max = 9999, .isInteger = true},
+           .help = "Of each state with a pupil N pictures, focused evenly in dioptres over the "
+                   "depths that the display can show: DIR/<name>.focus01.png and so on, and their "
+                   "distances in DIR/<name>.focus.csv."},
+          {.name = "between",
+           .value = "N",
+           .jobs = {render},
+           .range = NumberRange{.min = 1, .max = 9999, .isInteger = true},
+           .help = "The path through the states in place of them: N pictures between each two, "
+                   "and the states' own, DIR/frame_0001 and so on."},
+          {.name = "video",
+           .value = "FILE.mp4",
+           .jobs = {render},
+           .help = "Also a video of the pictures, made by the program ffmpeg."},
+          {.name = "fps",
+           .value = "F",
+           .jobs = {render},
+           .range = NumberRange{.min = 0.1, .max = 240},
+           .help = "Pictures that the video shows in a second, 30 by default."},
+          {.name = "masks",
+           .jobs = {render},
+           .help = "Also DIR/<name>.mask.png, white where the display is seen."},
+          {.name = "images",
+           .jobs = {report},
+           .help = "Also the pictures, DIR/reference and DIR/test1, test2, …"},
+          {.name = "shard",
+           .value = "K/N",
+           .jobs = {render, report},
+           .help = "Does every N-th state, from the K-th on, for one of N processes; of a report "
+                   "only their figures, for the command without --shard."},
+          {.name = "explain",
+           .jobs = {render, report},
+           .help = "Prints for each state what is modelled, what is left out and why, and how far "
+                   "its lens can be trusted."}};
+}
+
 FlagGroup outputs() {
   std::vector<Command> andInfo = writing;
   andInfo.push_back(info);
-  return {"What is written",
-          {{.name = "output",
-            .value = "PATH",
-            .jobs = andInfo,
-            .neededBy = writing,
-            .help = "The folder for the results; for --make-cameras, --generate, --pack and "
-                    "--export the file (views: the folder). Folders are made if missing."},
-           {.name = "save-session",
-            .value = "FILE",
-            .jobs = {render, report, tradeoff, exportAs},
-            .help = "Also writes the session as it is used, with --set applied: with a folder or a "
-                    "picture as --session, the session that was made around it."},
-           {.name = "json",
-            .jobs = {info},
-            .help = "Prints order, shear and size of a light field for programs."},
-           {.name = "format",
-            .value = "png|exr|tif",
-            .jobs = {render},
-            .choices = {"png", "exr", "tif"},
-            .help = "Of the pictures: EXR holds the unrounded values, TIFF 16 bits."},
-           {.name = "ideal",
-            .jobs = {render},
-            .help = "In place of what the display shows: what the eye would see of the session's "
-                    "live scene itself through the panel."},
-           {.name = "stereo",
-            .value = "MODE",
-            .jobs = {render},
-            .choices = {stereoModeNames().begin(), stereoModeNames().end()},
-            .help = "One picture for both eyes, DIR/<name>.png, of states with stereo.ipd, in "
-                    "place of one for each: side-by-side, anaglyph, anaglyph-grey (red on the left "
-                    "and cyan on the right), cross-eyed."},
-           {.name = "focus-stack",
-            .value = "N",
-            .jobs = {render},
-            .range = NumberRange{.min = 2, .max = 9999, .isInteger = true},
-            .help = "Of each state with a pupil N pictures, focused evenly in dioptres over the "
-                    "depths that the display can show: DIR/<name>.focus01.png and so on, and their "
-                    "distances in DIR/<name>.focus.csv."},
-           {.name = "between",
-            .value = "N",
-            .jobs = {render},
-            .range = NumberRange{.min = 1, .max = 9999, .isInteger = true},
-            .help = "The path through the states in place of them: N pictures between each two, "
-                    "and the states' own, DIR/frame_0001 and so on."},
-           {.name = "video",
-            .value = "FILE.mp4",
-            .jobs = {render},
-            .help = "Also a video of the pictures, made by the program ffmpeg."},
-           {.name = "fps",
-            .value = "F",
-            .jobs = {render},
-            .range = NumberRange{.min = 0.1, .max = 240},
-            .help = "Pictures that the video shows in a second, 30 by default."},
-           {.name = "masks",
-            .jobs = {render},
-            .help = "Also DIR/<name>.mask.png, white where the display is seen."},
-           {.name = "images",
-            .jobs = {report},
-            .help = "Also the pictures, DIR/reference and DIR/test1, test2, …"},
-           {.name = "shard",
-            .value = "K/N",
-            .jobs = {render, report},
-            .help = "Does every N-th state, from the K-th on, for one of N processes; of a report "
-                    "only their figures, for the command without --shard."},
-           {.name = "explain",
-            .jobs = {render, report},
-            .help = "Prints for each state what is modelled, what is left out and why, and how far "
-                    "its lens can be trusted."}}};
+  FlagGroup group{
+      "What is written",
+      {{.name = "output",
+        .value = "PATH",
+        .jobs = andInfo,
+        .neededBy = writing,
+        .help = "The folder for the results; for --make-cameras, --generate, --pack and "
+                "--export the file (views: the folder). Folders are made if missing."},
+       {.name = "save-session",
+        .value = "FILE",
+        .jobs = {render, report, tradeoff, exportAs},
+        .help = "Also writes the session as it is used, with --set applied: with a folder or a "
+                "picture as --session, the session that was made around it."},
+       {.name = "json",
+        .jobs = {info},
+        .help = "Prints order, shear and size of a light field for programs."}}};
+  std::ranges::move(outputsOfStates(), std::back_inserter(group.flags));
+  return group;
 }
 
 FlagGroup comparison() {

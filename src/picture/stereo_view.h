@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the simulated view shows of a state with two eyes.
+// Chooses what the simulated view shows of a state with two eyes.
 #pragma once
 
 #include <QPoint>

@@ -39,7 +39,7 @@ struct MiddleBatch {
 void findMiddles(const HitMap& map, const double* x, const double* y, int count,
                  MiddleBatch& batch);
 
-/// What the points' cells of one pixel depend on.
+/// Holds what the points' cells of one pixel depend on.
 struct PixelSpread {
   float a = 0;
   float b = 0;

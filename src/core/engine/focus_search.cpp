@@ -62,14 +62,14 @@ RenderJob cropped(RenderJob job, int x, int y, int reach) {
   return job;
 }
 
-/// Returns the standard deviation of the image's luminance (ITU-R BT.709), in linear light.
+/// Returns the standard deviation of the image's luminance, in linear light.
 double contrastOf(const FloatImage& image) {
   double sum = 0;
   double squares = 0;
   const auto count = double(image.seen.size());
   for (std::size_t k = 0; k < image.seen.size(); ++k) {
     const auto at = [&](std::size_t c) { return linearFromEncoded(double(image.rgb[3 * k + c])); };
-    const double light = 0.2126 * at(0) + 0.7152 * at(1) + 0.0722 * at(2);
+    const double light = luminance({at(0), at(1), at(2)});
     sum += light / count;
     squares += light * light / count;
   }

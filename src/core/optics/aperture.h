@@ -56,7 +56,7 @@ struct Aperture {
   static constexpr double negligible = 0.1;
 };
 
-/// What is wrong with a focus on a panel whose plane the camera's axis does not meet.
+/// Says what is wrong with a focus on a panel whose plane the camera's axis does not meet.
 constexpr auto* noFocusOnPanel =
     "is 0, on the panel, whose plane the camera's axis does not meet: give a distance in metres";
 

@@ -12,8 +12,8 @@
 namespace hogelscope {
 
 /// An image whose row 0 is the top. A pixel that is not seen is black, and 0 in the mask, else 255.
-/// With a pupil, a pixel is seen if all points of the aperture see the display, and has light if
-/// some do.
+/// A pixel of a view through a pupil is seen if all points of the aperture see the display; it has
+/// light if some do.
 struct Image {
   int width = 0;
   int height = 0;

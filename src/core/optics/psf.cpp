@@ -83,6 +83,10 @@ double encodedFromLinear(double linear) {
   return 255 * s;
 }
 
+double luminance(const Rgb& linear) {
+  return 0.2126 * linear.r + 0.7152 * linear.g + 0.0722 * linear.b;
+}
+
 Rgb decoded(LightModel light, const Rgb& c) {
   if (light == LightModel::encoded) return c;
   return {linearFromEncoded(c.r), linearFromEncoded(c.g), linearFromEncoded(c.b)};

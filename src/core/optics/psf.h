@@ -47,6 +47,8 @@ int tapsAt(const PsfParams& params, const LightFieldSize& size, int u, int v);
 /// Apply the sRGB transfer function (IEC 61966-2-1), code values to linear 0 … 1, and its inverse.
 double linearFromEncoded(double codeValue);
 double encodedFromLinear(double linear);
+/// Returns the luminance of linear light (ITU-R BT.709).
+double luminance(const Rgb& linear);
 /// Apply the same to three channels; `encoded` light is returned unchanged.
 Rgb decoded(LightModel light, const Rgb& codeValues);
 Rgb encoded(LightModel light, const Rgb& summed);

@@ -26,9 +26,9 @@ Rgb times(const Matrix& m, const Rgb& c) {
   return {row(0), row(1), row(2)};
 }
 
-/// Returns the grey of the same luminance (ITU-R BT.709), in linear light.
+/// Returns the grey of the same luminance, in linear light.
 Rgb grey(const Rgb& c) {
-  const double y = 0.2126 * c.r + 0.7152 * c.g + 0.0722 * c.b;
+  const double y = luminance(c);
   return {y, y, y};
 }
 

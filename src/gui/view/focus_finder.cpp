@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "gui/view/focus_finder.h"
 
+#include <cmath>
 #include <utility>
 
 #include "core/base/error.h"
