@@ -62,6 +62,7 @@ class TestFocus : public QObject {
   void findsTheDepthByContrast();
   void findsTheDepthOfTriangles();
   void nothingToFocusOn();
+  void borderOfCells();
   void stacksCoverTheSharpDepths();
   void stacksAreCut();
   void stacksNeedAPupilInFront();
@@ -117,6 +118,39 @@ void TestFocus::nothingToFocusOn() {
   job.state.distortion.k1 = -3;  // folds before the corner
   job.state.camera.fov = 90;
   QVERIFY(!sharpestFocus(job, 0, 0, tables, serialRows).has_value());
+}
+
+/// Single pixels whose rays meet borders of cells, which points of the aperture find in float
+/// arithmetic: what is traced for them has all cells that they read.
+void TestFocus::borderOfCells() {
+  RenderJob job;
+  job.display.size = {0.2, 0.15};
+  job.display.hogels = {64, 48};
+  job.display.directions = {24, 24};
+  CameraState& state = job.state;
+  state.camera.eye = {0.004, 0, 0.6};
+  state.camera.lookat = {0.004, 0, 0};
+  state.camera.res = {1, 1};
+  state.pupil = {0.004, 0, 60};
+  const auto live = liveSource(squaresAt(-0.02), job.display);
+  const auto whole = live->slice(readsOfRows(live->size(), {0, 47}, {0, 23}, {0, 23}), {});
+  Renderer renderer;
+  int compared = 0;
+  for (int i = 1; i < 64; i += 2)
+    for (int j = 1; j < 48; j += 2) {
+      const double x = 0.2 * (i / 64.0 - 0.5);
+      const double y = 0.15 * (0.5 - j / 48.0);
+      constexpr double focal = 960000;
+      state.intrinsics = {focal, focal, -(x - 0.004) / 0.6 * focal, y / 0.6 * focal};
+      job.lightField = live;
+      const FloatImage traced = renderer.renderFloat(job);
+      job.lightField = whole;
+      const FloatImage expected = renderer.renderFloat(job);
+      QCOMPARE(traced.seen, expected.seen);
+      QVERIFY(traced.rgb == expected.rgb);
+      ++compared;
+    }
+  QCOMPARE(compared, 32 * 24);
 }
 
 void TestFocus::stacksCoverTheSharpDepths() {

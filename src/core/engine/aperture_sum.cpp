@@ -207,12 +207,26 @@ void ApertureSum::addShared(int count, Scratch& scratch) const {
         cell[axis] += middle[axis];
         isInside = isInside && cell[axis] >= 0 && cell[axis] < counts[axis];
       }
-      if (!isInside) continue;
+      // On the panel's edge float arithmetic may see what no ray of the footprint does.
+      if (!isInside || !isInMemory(cell)) continue;
       scratch.seeing[k] += scratch.counts[each];
       addTexel(cell, static_cast<float>(scratch.counts[each]), k, scratch);
     }
   }
   emptyQueue(scratch);
+}
+
+/// Whether a texel, and those that leak into it, are in memory.
+bool ApertureSum::isInMemory(const std::array<int, 4>& cell) const {
+  const SliceLayout* const slice = m_texels.sliceLayout();
+  if (slice == nullptr) return true;
+  const auto [nx, ny, du, dv] = m_texels.size();
+  const int reach = m_rays.plan().psfReach;
+  const auto around = [reach](int direction, int count) {
+    return CellRange{std::max(direction - reach, 0), std::min(direction + reach, count - 1)};
+  };
+  return slice->footprint.u[std::size_t(cell[0])].covers(around(cell[2], du)) &&
+         slice->footprint.v[std::size_t(cell[1])].covers(around(cell[3], dv));
 }
 
 /// Adds a texel's light for so many points, later and with others. Texels that are only copied are

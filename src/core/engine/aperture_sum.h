@@ -30,6 +30,7 @@ class ApertureSum {
   void addPoint(std::size_t point, int count, Scratch& scratch) const;
   [[nodiscard]] bool findSpreads(int count, Scratch& scratch) const;
   void addShared(int count, Scratch& scratch) const;
+  [[nodiscard]] bool isInMemory(const std::array<int, 4>& cell) const;
   void addTexel(const std::array<int, 4>& cell, float points, std::size_t pixel,
                 Scratch& scratch) const;
   void emptyQueue(Scratch& scratch) const;

@@ -56,10 +56,15 @@ void widen(std::vector<CellRange>& ranges, int cell, int direction, const Reach&
 }
 
 /// Returns the cells that a ray reads along an axis: its own, the neighbour that is interpolated
-/// with, and `reach` more on each side.
-CellRange cellsRead(std::uint32_t cell, float place, bool isInterpolated, int reach, int count) {
+/// with or that float arithmetic finds in its place (`border` of a cell), and `reach` more on each
+/// side.
+CellRange cellsRead(std::uint32_t cell, float place, bool isInterpolated, float border, int reach,
+                    int count) {
   const int own = int(cell);
-  const int neighbour = !isInterpolated ? own : place < 0.5F ? own - 1 : own + 1;
+  const int neighbour = isInterpolated       ? (place < 0.5F ? own - 1 : own + 1)
+                        : place < border     ? own - 1
+                        : place > 1 - border ? own + 1
+                                             : own;
   return {std::max(std::min(own, neighbour) - reach, 0),
           std::min(std::max(own, neighbour) + reach, count - 1)};
 }
@@ -221,11 +226,30 @@ void ViewRays::addFootprint(int y, int x0, int x1, Footprint& result) const {
   const Reconstruction reconstruction = m_job.sampling.reconstruction;
   const Reach reach{reconstruction == Reconstruction::quadrilinear ? 1 : 0,
                     m_plan.psfReach + (reconstruction == Reconstruction::nearest ? 0 : 1)};
+  const float near = border();
   eachBatch(y, x0, x1, [&](std::size_t count, const CellBatch& batch) {
+    const auto add = [&](std::vector<CellRange>& ranges, std::size_t axis, std::size_t k,
+                         int directions) {
+      const auto hogel = static_cast<int>(batch.cell[axis][k]);
+      const auto direction = static_cast<int>(batch.cell[axis + 2][k]);
+      widen(ranges, hogel, direction, reach, directions);
+      if (near == 0) return;
+      // One more cell on the side that the ray is close to.
+      const auto aside = [&](std::size_t of) {
+        const float place = batch.place[of][k];
+        return place < near ? -1 : place > 1 - near ? 1 : 0;
+      };
+      const auto [away, turned] = std::pair(aside(axis), aside(axis + 2));
+      if (away == 0 && turned == 0) return;
+      const int other = std::clamp(direction + turned, 0, directions - 1);
+      const int beside = std::clamp(hogel + away, 0, int(ranges.size()) - 1);
+      for (const int cell : {hogel, beside})
+        for (const int each : {direction, other}) widen(ranges, cell, each, reach, directions);
+    };
     for (std::size_t k = 0; k < count; ++k) {
       if (batch.seen[k] == 0) continue;
-      widen(result.u, int(batch.cell[0][k]), int(batch.cell[2][k]), reach, size.du);
-      widen(result.v, int(batch.cell[1][k]), int(batch.cell[3][k]), reach, size.dv);
+      add(result.u, 0, k, size.du);
+      add(result.v, 1, k, size.dv);
     }
   });
 }
@@ -242,8 +266,8 @@ void ViewRays::mark(int y, const SliceLayout& layout, std::vector<std::uint8_t>&
       std::array<CellRange, 4> box;
       for (std::size_t axis = 0; axis < 4; ++axis)
         box[axis] = cellsRead(batch.cell[axis][k], batch.place[axis][k],
-                              axis < 2 ? areHogels : areDirections, axis < 2 ? 0 : m_plan.psfReach,
-                              counts[axis]);
+                              axis < 2 ? areHogels : areDirections, border(),
+                              axis < 2 ? 0 : m_plan.psfReach, counts[axis]);
       markBox(box, layout, marks);
     }
   });

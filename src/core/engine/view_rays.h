@@ -110,6 +110,9 @@ class ViewRays {
   template <class Use>
   void eachBatch(int y, int x0, int x1, const Use& use) const;
   void addFootprint(int y, int x0, int x1, Footprint& footprint) const;
+  /// The distance to a cell's border, in cells, at which the points of an aperture, whose cells are
+  /// found in float arithmetic, may meet the next cell.
+  [[nodiscard]] float border() const { return points() > 1 ? 4e-5F : 0; }
   [[nodiscard]] bool isSeparable() const;
   [[nodiscard]] Footprint separableFootprint() const;
   void mark(int y, const SliceLayout& layout, std::vector<std::uint8_t>& marks) const;
