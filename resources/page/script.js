@@ -37,3 +37,39 @@ for (const table of document.querySelectorAll('table.sorts')) {
     head.append(button);
   });
 }
+for (const plot of document.querySelectorAll('svg.brushed')) {
+  const lines = [...plot.querySelectorAll('polyline')], kept = new Map();
+  const show = () => {
+    const hidden = new Set(lines.filter(line => [...kept].some(([x, range]) => {
+      const point = [...line.points].find(p => 0.5 > Math.abs(p.x - x));
+      return !point || range[0] > point.y || point.y > range[1];
+    })).map(line => line.dataset.row));
+    for (const one of document.querySelectorAll('[data-row]'))
+      one.style.opacity = hidden.has(one.dataset.row) ? 0.05 : '';
+  };
+  for (const axis of plot.querySelectorAll('.brush')) {
+    const x = axis.x.baseVal.value + axis.width.baseVal.value / 2;
+    const mark = axis.cloneNode();
+    mark.removeAttribute('class');
+    axis.before(mark);
+    const placeOf = event => {
+      const point = new DOMPoint(event.clientX, event.clientY);
+      return point.matrixTransform(plot.getScreenCTM().inverse()).y;
+    };
+    let from = null;
+    const brush = event => {
+      const to = placeOf(event), range = [Math.min(from, to), Math.max(from, to)];
+      if (range[1] - range[0] > 3) kept.set(x, range); else kept.delete(x);
+      mark.setAttribute('y', range[0]);
+      mark.setAttribute('height', range[1] - range[0]);
+      mark.setAttribute('fill-opacity', kept.has(x) ? 0.15 : 0);
+      show();
+    };
+    axis.addEventListener('pointerdown', event => {
+      from = placeOf(event);
+      axis.setPointerCapture(event.pointerId);
+    });
+    axis.addEventListener('pointermove', event => { if (from !== null) brush(event); });
+    axis.addEventListener('pointerup', event => { brush(event); from = null; });
+  }
+}

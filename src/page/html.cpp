@@ -108,4 +108,22 @@ std::string latexTable(const std::vector<std::string>& heads,
   return "<details><summary>As LaTeX</summary><pre>" + escaped(tex) + "</pre></details>\n";
 }
 
+std::string pageOf(const std::string& title, const std::string& body) {
+  return "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"/>\n"
+         "<meta http-equiv=\"Content-Security-Policy\" content=\"" +
+         std::string(pagePolicy) +
+         "\"/>\n"
+         "<meta name=\"viewport\" content=\"width=device-width\"/>\n<title>" +
+         escaped(title) + "</title>\n<style>" + pageStyle + "</style></head><body>\n" + body +
+         "<script>" + pageScript + "</script>\n</body></html>\n";
+}
+
+std::string svgFile(const std::string& svg, double width) {
+  constexpr std::string_view tag = "<svg ";
+  const std::size_t at = svg.find('>') + 1;
+  return "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + numberText(width) + "mm\" " +
+         svg.substr(tag.size(), at - tag.size()) + "<style>" + plotStyle + "</style>" +
+         svg.substr(at);
+}
+
 }  // namespace hogelscope

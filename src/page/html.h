@@ -23,6 +23,14 @@ std::string imageTag(const std::string& png, const std::string& text);
 std::string latexTable(const std::vector<std::string>& heads,
                        const std::vector<std::vector<std::string>>& rows);
 
+/// Returns a complete page of this title (not escaped yet) and body, with style, script and policy.
+std::string pageOf(const std::string& title, const std::string& body);
+
+/// Returns an SVG element as a file of its own, with the style of plots, `width` millimetres wide.
+std::string svgFile(const std::string& svg, double width);
+
+/// CSS of plots; it is a part of the next one.
+extern const char* const plotStyle;
 /// CSS for screen and paper.
 extern const char* const pageStyle;
 

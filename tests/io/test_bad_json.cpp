@@ -115,7 +115,7 @@ void TestBadJson::structure_data() {
             "dispaly: is not known here; did you mean \"display\"?");
   refusedIn("unknown section, nothing near", R"({"hogelscope": 1, "metadata": {}})",
             "metadata: is not known here; known are hogelscope, display, lightField, sampling, "
-            "metrics, cameras");
+            "depth, metrics, cameras");
   refusedIn("camera for cameras", R"({"hogelscope": 1, "camera": []})",
             "camera: is not known here; did you mean \"cameras\"?");
   refusedIn("unknown display field", text({.display = R"({"hogel": [4, 3]})"}),

@@ -86,7 +86,7 @@ void TestSessionOverrides::badOverrides_data() {
   QTest::newRow("no such section")
       << "cameras.fov=3"
       << "s.json: override cameras.fov=3: there is no section \"cameras\": display, lightField, "
-         "sampling, camera, intrinsics, pupil, stereo, distortion, psf";
+         "sampling, depth, camera, intrinsics, pupil, stereo, distortion, psf";
   QTest::newRow("no such field")
       << "psf.sigmas=1"
       << "s.json: cameras[0].psf.sigmas: is not known here; did you mean \"sigma\"?";

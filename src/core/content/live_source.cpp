@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <atomic>
 #include <bit>
+#include <limits>
+#include <tuple>
 
 #include "core/base/error.h"
 #include "core/base/multiversioned.h"
@@ -238,17 +240,57 @@ std::shared_ptr<const LightField> LiveSource::overview() const {
   return m_overview;
 }
 
-void LiveSource::trace(const Vec3& eye, std::span<const Vec2> slopes, std::span<Rgb> light) const {
+std::vector<plugin::Ray> LiveSource::raysFrom(const Vec3& eye, std::span<const Vec2> slopes) const {
   std::vector<plugin::Ray> rays;
+  rays.reserve(slopes.size());
   const double z = std::min(m_front, eye.z);
   for (const auto& [a, b] : slopes)
     rays.push_back(
         {eye.x + a * (z - eye.z), eye.y + b * (z - eye.z), z, a, b, std::max(z - m_back, 0.0)});
+  return rays;
+}
+
+void LiveSource::trace(const Vec3& eye, std::span<const Vec2> slopes, std::span<Rgb> light) const {
+  const std::vector<plugin::Ray> rays = raysFrom(eye, slopes);
   std::vector<plugin::Colour> colours(rays.size());
   m_content->trace(rays, colours);
   requireFinite(colours);
   for (std::size_t k = 0; k < rays.size(); ++k)
     light[k] = {double(colours[k].r), double(colours[k].g), double(colours[k].b)};
+}
+
+void LiveSource::traceDepths(const Vec3& eye, std::span<const Vec2> slopes,
+                             std::span<double> depths) const {
+  std::vector<plugin::Ray> rays = raysFrom(eye, slopes);
+  if (!m_content->traceDepths(rays, depths)) bisectDepths(std::move(rays), depths);
+}
+
+/// Halves for each ray the range of depths at which the light becomes that of the whole ray.
+void LiveSource::bisectDepths(std::vector<plugin::Ray> rays, std::span<double> depths) const {
+  constexpr int halvings = 10;  // 2^10 depths
+  const auto lightAt = [&] {
+    std::vector<plugin::Colour> colours(rays.size());
+    m_content->trace(rays, colours);
+    requireFinite(colours);
+    return colours;
+  };
+  const std::vector<plugin::Colour> whole = lightAt();
+  std::vector<double> near(rays.size()), far(rays.size());
+  for (std::size_t k = 0; k < rays.size(); ++k) far[k] = rays[k].reach;
+  const auto isWhole = [&](const plugin::Colour& colour, std::size_t k) {
+    return std::tie(colour.r, colour.g, colour.b) == std::tie(whole[k].r, whole[k].g, whole[k].b);
+  };
+  for (plugin::Ray& ray : rays) ray.reach = 0;
+  const std::vector<plugin::Colour> background = lightAt();
+  for (int halving = 0; halving < halvings; ++halving) {
+    for (std::size_t k = 0; k < rays.size(); ++k) rays[k].reach = (near[k] + far[k]) / 2;
+    const std::vector<plugin::Colour> colours = lightAt();
+    for (std::size_t k = 0; k < rays.size(); ++k)
+      (isWhole(colours[k], k) ? far : near)[k] = rays[k].reach;
+  }
+  for (std::size_t k = 0; k < rays.size(); ++k)
+    depths[k] = isWhole(background[k], k) ? std::numeric_limits<double>::quiet_NaN()
+                                          : rays[k].z - (near[k] + far[k]) / 2;
 }
 
 }  // namespace hogelscope

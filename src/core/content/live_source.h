@@ -36,6 +36,8 @@ class LiveSource : public LightFieldSource {
   /// Returns what of them is traced.
   [[nodiscard]] std::optional<std::array<double, 2>> depths() const override;
   void trace(const Vec3& eye, std::span<const Vec2> slopes, std::span<Rgb> light) const override;
+  void traceDepths(const Vec3& eye, std::span<const Vec2> slopes,
+                   std::span<double> depths) const override;
 
  private:
   /// One point of the lattice: the position of each hogel and the slope of each direction there.
@@ -43,6 +45,9 @@ class LiveSource : public LightFieldSource {
     std::vector<double> x, y, a, b;
   };
 
+  [[nodiscard]] std::vector<plugin::Ray> raysFrom(const Vec3& eye,
+                                                  std::span<const Vec2> slopes) const;
+  void bisectDepths(std::vector<plugin::Ray> rays, std::span<double> depths) const;
   template <class T>
   void fill(const std::vector<std::uint8_t>& marks, LightField& texels,
             const Progress& progress) const;

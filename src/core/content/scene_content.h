@@ -16,8 +16,12 @@ class SceneContent : public plugin::ContentSource {
             const plugin::Progress& progress) override;
   void depths(double& back, double& front) const override;
   void trace(std::span<const plugin::Ray> rays, std::span<plugin::Colour> colours) const override;
+  [[nodiscard]] bool traceDepths(std::span<const plugin::Ray> rays,
+                                 std::span<double> depths) const override;
 
  private:
+  [[nodiscard]] std::optional<ScenePattern::Met> met(const plugin::Ray& ray) const;
+
   std::optional<ScenePattern> m_scene;
 };
 

@@ -36,6 +36,11 @@ void LightFieldSource::trace(const Vec3& /*eye*/, std::span<const Vec2> /*slopes
   throw InputError("lightField.layout", noIdealView);
 }
 
+void LightFieldSource::traceDepths(const Vec3& /*eye*/, std::span<const Vec2> /*slopes*/,
+                                   std::span<double> /*depths*/) const {
+  throw InputError("lightField.layout", noIdealView);
+}
+
 std::shared_ptr<const LightField> StreamedLightField::slice(const ViewReads& /*reads*/,
                                                             const Progress& /*progress*/) const {
   throw std::logic_error("StreamedLightField: its texels come once, from the top");

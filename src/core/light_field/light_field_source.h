@@ -64,6 +64,13 @@ class LightFieldSource {
   /// called from several threads. Throws InputError for content that is not a live scene.
   virtual void trace(const Vec3& eye, std::span<const Vec2> slopes, std::span<Rgb> light) const;
 
+  /// Finds the depths z (display frame, metres) of what trace() sees; NaN for a ray that meets
+  /// nothing. Content that does not know its depths is cut at ever more of them, and the depth is
+  /// where the light becomes that of the whole content: to a thousandth of the content's range, and
+  /// NaN where content has the background's colour. Throws likewise.
+  virtual void traceDepths(const Vec3& eye, std::span<const Vec2> slopes,
+                           std::span<double> depths) const;
+
   /// Returns the triangles that the 3-D scene draws for a live scene; none for other light fields.
   /// Throws InputError.
   [[nodiscard]] virtual plugin::Triangles triangles() const { return {}; }

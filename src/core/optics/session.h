@@ -11,6 +11,7 @@
 #include "core/optics/distortion.h"
 #include "core/optics/psf.h"
 #include "core/optics/sampling.h"
+#include "core/panel/depth_budget.h"
 #include "core/panel/display.h"
 
 namespace hogelscope {
@@ -30,6 +31,7 @@ struct Session {
   DisplayParams display;
   LightFieldParams lightField;
   SamplingParams sampling;
+  DepthParams depth;
   std::vector<std::string> metrics;  ///< plugins whose figures a report also has
   std::vector<CameraState> cameras;
   bool operator==(const Session&) const = default;

@@ -21,7 +21,8 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr int documentVersion = 1;
-constexpr std::array<std::string_view, 3> sharedSections{"display", "lightField", "sampling"};
+constexpr std::array<std::string_view, 4> sharedSections{"display", "lightField", "sampling",
+                                                         "depth"};
 constexpr std::array<std::string_view, 6> stateSections{"camera", "intrinsics", "pupil",
                                                         "stereo", "distortion", "psf"};
 
@@ -92,6 +93,7 @@ Session readSession(const Json& document) {
   if (const Json* lightField = reader.section("lightField"); lightField != nullptr)
     session.lightField = readLightField(*lightField);
   readSection(reader, "sampling", session.sampling);
+  readSection(reader, "depth", session.depth);
   if (const Json* metrics = reader.section("metrics"); metrics != nullptr)
     session.metrics = readMetrics(*metrics);
   if (const Json* cameras = reader.section("cameras"); cameras != nullptr)
@@ -130,8 +132,8 @@ void applyOverride(Json& document, const std::string& text) {
   if (!isOneOf(stateSections))
     throw InputError("override " + text,
                      "there is no section \"" + section +
-                         "\": display, lightField, sampling, camera, intrinsics, pupil, stereo, "
-                         "distortion, psf");
+                         "\": display, lightField, sampling, depth, camera, intrinsics, pupil, "
+                         "stereo, distortion, psf");
   if (!document.is_object() || !document.contains("cameras")) return;
   for (Json& state : document["cameras"]) {
     if (!state.is_object()) continue;
@@ -239,6 +241,7 @@ std::string textOf(const Session& session) {
   document["display"] = writtenDisplay(session.display);
   document["lightField"] = writtenLightField(session.lightField);
   document["sampling"] = written(session.sampling);
+  if (session.depth != DepthParams{}) document["depth"] = written(session.depth);
   if (!session.metrics.empty()) document["metrics"] = session.metrics;
   document["cameras"] = Json::array();
   for (const CameraState& state : session.cameras)

@@ -184,15 +184,8 @@ states, at least 1000): how a mean would vary with other camera positions of the
 }  // namespace
 
 std::string html(const ReportPage& page) {
-  const std::string title = escaped(page.session);
-  std::string text =
-      "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"/>\n"
-      "<meta http-equiv=\"Content-Security-Policy\" content=\"" +
-      std::string(pagePolicy) +
-      "\"/>\n"
-      "<meta name=\"viewport\" content=\"width=device-width\"/>\n<title>Hogelscope report: " +
-      title + "</title>\n<style>" + pageStyle + "</style></head><body>\n" +
-      "<h1>Perceived views of " + title + "</h1>\n" + summaryTables(page.summaries, page.metrics);
+  std::string text = "<h1>Perceived views of " + escaped(page.session) + "</h1>\n" +
+                     summaryTables(page.summaries, page.metrics);
   if (!page.groups.empty())
     text +=
         "<h2>Quality over rate</h2>\n<p>Means over the states with 95 % bootstrap intervals; over "
@@ -208,8 +201,7 @@ std::string html(const ReportPage& page) {
   if (!page.rows.empty()) text += "<h2>All states</h2>\n" + statesTable(page.rows, page.metrics);
   if (!page.lenses.empty())
     text += "<h2>How far the lenses can be trusted</h2>\n" + lensesTable(page.lenses);
-  return text + definitions + whatWasTested(page) + "<script>" + pageScript +
-         "</script>\n</body></html>\n";
+  return pageOf("Hogelscope report: " + page.session, text + definitions + whatWasTested(page));
 }
 
 }  // namespace hogelscope

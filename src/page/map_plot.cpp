@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "page/map_plot.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "core/base/colour_map.h"
+#include "core/base/text.h"
+#include "page/html.h"
+
+namespace hogelscope {
+
+namespace {
+
+constexpr double scaleWidth = 12;
+constexpr double scaleRoom = 64;  ///< right of the map, for the scale of colours
+
+std::string rectangle(double x, double y, double width, double height, const std::string& style) {
+  return "<rect x=\"" + coordinate(x) + "\" y=\"" + coordinate(y) + "\" width=\"" +
+         coordinate(width) + "\" height=\"" + coordinate(height) + "\" " + style + "/>";
+}
+
+std::string fillOf(double share) {
+  const auto [r, g, b] = falseColour(share);
+  std::array<char, 24> text{};
+  std::snprintf(text.data(), text.size(), "fill=\"#%02x%02x%02x\"", unsigned{r}, unsigned{g},
+                unsigned{b});
+  return text.data();
+}
+
+/// Returns a stroke that is seen on every colour: white over black.
+std::string stroke(double x1, double y1, double x2, double y2, const std::string& more) {
+  const std::string line = "<line x1=\"" + coordinate(x1) + "\" y1=\"" + coordinate(y1) +
+                           "\" x2=\"" + coordinate(x2) + "\" y2=\"" + coordinate(y2) + "\" ";
+  return line + "stroke=\"#000\" stroke-opacity=\".5\" stroke-width=\"2.6\"" + more + "/>" + line +
+         "stroke=\"#fff\" stroke-width=\"1.2\"" + more + "/>";
+}
+
+std::string nameText(double x, double y, const std::string& name) {
+  return "<g paint-order=\"stroke\" stroke=\"#fff\" stroke-width=\"3\">" +
+         svgText(x, y, "start", name) + "</g>";
+}
+
+std::string scaleOf(const MapPlot& plot, const PlotBox& box) {
+  constexpr int steps = 64;
+  const double left = box.width - box.right - scaleRoom + 18;
+  const double bottom = box.height - box.below;
+  const double height = (bottom - box.top) / steps;
+  std::string text;
+  for (int k = 0; k < steps; ++k)
+    text += rectangle(left, bottom - (k + 1) * height, scaleWidth, height + 0.5,
+                      fillOf((k + 0.5) / steps));
+  const Axis axis{plot.shades[0], plot.shades[1], bottom, box.top};
+  for (const Tick& tick : linearTicks(axis, 5))
+    text += svgText(left + scaleWidth + 4, axis.at(tick.value) + 4, "start", tick.text);
+  return text + svgText(left, box.top - 11, "start", plot.unit) + "\n";
+}
+
+}  // namespace
+
+std::vector<ContourPiece> contourOf(const MapPlot& plot, double level) {
+  std::vector<ContourPiece> pieces;
+  const int rows = plot.rows();
+  const auto value = [&](int column, int row) {
+    return plot.values[std::size_t(row) * std::size_t(plot.columns) + std::size_t(column)];
+  };
+  const auto place = [&](double column, double row) {
+    return std::array{
+        plot.across[0] + (column + 0.5) / plot.columns * (plot.across[1] - plot.across[0]),
+        plot.up[0] + (row + 0.5) / rows * (plot.up[1] - plot.up[0])};
+  };
+  constexpr std::array<std::array<int, 2>, 5> corners{{{0, 0}, {1, 0}, {1, 1}, {0, 1}, {0, 0}}};
+  for (int row = 0; row + 1 < rows; ++row)
+    for (int column = 0; column + 1 < plot.columns; ++column) {
+      std::vector<std::array<double, 2>> crossings;
+      for (std::size_t k = 0; k < 4; ++k) {
+        const auto [x1, y1] = corners[k];
+        const auto [x2, y2] = corners[k + 1];
+        const double from = value(column + x1, row + y1);
+        const double to = value(column + x2, row + y2);
+        if ((from < level) == (to < level) || std::isnan(from) || std::isnan(to)) continue;
+        const double share = (level - from) / (to - from);
+        crossings.push_back(place(column + x1 + share * (x2 - x1), row + y1 + share * (y2 - y1)));
+      }
+      for (std::size_t k = 0; k + 1 < crossings.size(); k += 2)
+        pieces.push_back({crossings[k], crossings[k + 1]});
+    }
+  return pieces;
+}
+
+std::string svgOf(const MapPlot& plot, const PlotBox& box, const std::string& label) {
+  const Axis across{plot.across[0], plot.across[1], box.left, box.width - box.right - scaleRoom};
+  const Axis up{plot.up[0], plot.up[1], box.height - box.below, box.top};
+  std::string text = "<svg class=\"wide\" viewBox=\"0 0 " + numberText(box.width) + " " +
+                     numberText(box.height) + "\" role=\"img\" aria-label=\"" + escaped(label) +
+                     "\">" + svgFrame(across, up, plot.titleAcross, plot.titleUp, plot.ticks);
+  const double width = (across.to - across.from) / plot.columns;
+  const double height = (up.from - up.to) / std::max(plot.rows(), 1);
+  for (std::size_t k = 0; k < plot.values.size(); ++k) {
+    const auto column = double(k % std::size_t(plot.columns));
+    const auto row = double(k / std::size_t(plot.columns));
+    const double share = (plot.values[k] - plot.shades[0]) / (plot.shades[1] - plot.shades[0]);
+    // A little more, since neighbours' edges would let the ground through.
+    text += rectangle(across.from + column * width, up.from - (row + 1) * height, width + 0.3,
+                      height + 0.3, fillOf(share)) +
+            "\n";
+  }
+  for (const double level : plot.contours)
+    for (const auto& [from, to] : contourOf(plot, level))
+      text += stroke(across.at(from[0]), up.at(from[1]), across.at(to[0]), up.at(to[1]), "");
+  for (const auto& [from, to, name] : plot.lines) {
+    text += stroke(across.at(from[0]), up.at(from[1]), across.at(to[0]), up.at(to[1]),
+                   " stroke-dasharray=\"5 4\"");
+    const bool endsBelow = to[1] < from[1];
+    text += nameText(across.at(to[0]) + 4, up.at(to[1]) + (endsBelow ? -6 : 13), name);
+  }
+  return text + scaleOf(plot, box) + "</svg>\n";
+}
+
+}  // namespace hogelscope
