@@ -21,6 +21,12 @@ foreach(sample table1 room)
   install(FILES data/${sample}.json DESTINATION ${CMAKE_INSTALL_DATADIR}/hogelscope/samples
     RENAME ${sample}.hogelscope COMPONENT program)
 endforeach()
+foreach(display integral_imaging_8k looking_glass_27_class looking_glass_portrait paper)
+  install(FILES data/displays/${display}.json COMPONENT program
+    DESTINATION ${CMAKE_INSTALL_DATADIR}/hogelscope/samples/displays RENAME ${display}.hogelscope)
+endforeach()
+install(FILES data/displays/README.md COMPONENT program
+  DESTINATION ${CMAKE_INSTALL_DATADIR}/hogelscope/samples/displays)
 
 # After the rules that install headers.
 foreach(component dev sdk)

@@ -1,5 +1,6 @@
 #!/bin/sh
-# Makes the manual's measured pictures and tables again, on this machine: resources/manual.
+# Makes the manual's measured pictures and tables again, on this machine: resources/manual. Needs
+# rsvg-convert (librsvg2-bin).
 set -eu
 here=$(dirname "$0")
 "$here/build.sh" hogelscope
@@ -13,6 +14,19 @@ mkdir -p "$output"
 "$program" --tradeoff --session data/table1.json --states 'Fig [136]' --output "$output/ideal" \
   --set sampling.reconstruction=quadrilinear
 "$program" --stability --output "$output/stability"
+"$program" --measure --session data/table1.json --output "$output/measure"
+rsvg-convert -w 1200 -b white "$output/measure/plots/mtf.svg" -o resources/manual/mtf.png
+cat > "$output/table.json" <<'TABLE'
+{"parameters": {"display.directions": [[10, 10], [20, 20], [40, 40]], "display.fov": [[30, 30], [60, 60]],
+                "psf.sigma": {"from": 0.4, "to": 1.6, "count": 4}},
+ "figures": ["depthOfField50", "mtf:0.02", "crosstalk", "viewingZone", "megapixels"],
+ "pareto": {"depthOfField50": "max", "viewingZone": "max", "megapixels": "min"}}
+TABLE
+"$program" --sweep "$output/table.json" --session data/table1.json --states 'Fig 1' --output "$output/sweep" \
+  --set psf.windowSize=5
+rsvg-convert -w 1400 -b white "$output/sweep/plots/parallel.svg" -o resources/manual/sweep.png
+"$program" --depth --session data/room.json --output "$output/depth"
+cp "$output/depth/depth.png" resources/manual/depth_budget.png
 cp "$output/display/tradeoff.png" resources/manual/tradeoff_display.png
 cp "$output/ideal/tradeoff.png" resources/manual/tradeoff_ideal.png
 cp "$output/stability/stability.png" resources/manual/stability.png

@@ -24,23 +24,26 @@ bool isNumberIn(const NumberRange& range, const std::string& text) {
 using enum Command;
 
 /// The jobs that use a session's camera states.
-const std::vector<Command> onStates{render, report, makeCameras, tradeoff};
+const std::vector<Command> onStates{render, report, makeCameras, tradeoff, measure, sweep, depth};
 /// The jobs that write files.
-const std::vector<Command> writing{render, report,   makeCameras, generate,
-                                   pack,   exportAs, tradeoff,    stability};
+const std::vector<Command> writing{render,   report,    makeCameras, generate, pack, exportAs,
+                                   tradeoff, stability, measure,     sweep,    depth};
 
 FlagGroup inputs() {
   return {
       "What is read",
       {{.name = "session",
         .value = "FILE",
-        .jobs = {render, report, makeCameras, generate, pack, exportAs, tradeoff},
-        .neededBy = {render, report, makeCameras, generate, exportAs, tradeoff},
+        .jobs = {render, report, makeCameras, generate, pack, exportAs, tradeoff, measure, sweep,
+                 depth},
+        .neededBy = {render, report, makeCameras, generate, exportAs, tradeoff, measure, sweep,
+                     depth},
         .help = "The session document: display, light field and camera states. A folder of views, "
                 "a picture or a mesh makes one around it."},
        {.name = "set",
         .value = "S.F=VALUE",
-        .jobs = {render, report, makeCameras, generate, pack, exportAs, tradeoff, info},
+        .jobs = {render, report, makeCameras, generate, pack, exportAs, tradeoff, measure, sweep,
+                 depth, info},
         .mayRepeat = true,
         .help = "Overrides a parameter of the session, such as psf.sigma=0.9 or "
                 "camera.res=[300,300]; camera, intrinsics, pupil, stereo, distortion and psf go to "
@@ -60,8 +63,8 @@ FlagGroup inputs() {
         .help = "Adds lenses: a JSON list of cameras, or one OpenCV calibration."},
        {.name = "plugins-path",
         .value = "DIR",
-        .jobs = {window, render, report, makeCameras, generate, pack, exportAs, tradeoff, info,
-                 plugins},
+        .jobs = {window, render, report, makeCameras, generate, pack, exportAs, tradeoff, measure,
+                 sweep, depth, info, plugins},
         .mayRepeat = true,
         .help = "A folder of plugins, which is searched before the others; the window takes it "
                 "too. Repeat it for more."}}};
@@ -115,7 +118,7 @@ std::vector<Flag> outputsOfStates() {
            .help = "Also the pictures, DIR/reference and DIR/test1, test2, …"},
           {.name = "shard",
            .value = "K/N",
-           .jobs = {render, report},
+           .jobs = {render, report, measure, sweep},
            .help = "Does every N-th state, from the K-th on, for one of N processes; of a report "
                    "only their figures, for the command without --shard."},
           {.name = "explain",
@@ -137,9 +140,14 @@ FlagGroup outputs() {
                 "--export the file (views: the folder). Folders are made if missing."},
        {.name = "save-session",
         .value = "FILE",
-        .jobs = {render, report, tradeoff, exportAs},
+        .jobs = {render, report, tradeoff, measure, sweep, depth, exportAs},
         .help = "Also writes the session as it is used, with --set applied: with a folder or a "
                 "picture as --session, the session that was made around it."},
+       {.name = "fit",
+        .value = "FILE",
+        .jobs = {depth},
+        .help = "Also writes the session with its content at the proposed scale and place, or with "
+                "its views sheared."},
        {.name = "json",
         .jobs = {info},
         .help = "Prints order, shear and size of a light field for programs."}}};
@@ -213,13 +221,14 @@ FlagGroup resources() {
   return {"How the work is done",
           {{.name = "memory",
             .value = "MB",
-            .jobs = {window, render, report, pack, exportAs, tradeoff},
+            .jobs = {window, render, report, pack, exportAs, tradeoff, measure, sweep, depth},
             .range = NumberRange{.min = 0.001, .max = 1e9},
             .help = "Megabytes for light fields, a quarter of the machine's by default; the window "
                     "takes it too. What needs more is read piece by piece, or from the top once."},
            {.name = "threads",
             .value = "N",
-            .jobs = {render, report, generate, pack, exportAs, tradeoff, stability},
+            .jobs = {render, report, generate, pack, exportAs, tradeoff, stability, measure, sweep,
+                     depth},
             .range = NumberRange{.min = 1, .isInteger = true},
             .help = "Threads to work with; all by default."},
            {.name = "budget",

@@ -134,6 +134,42 @@ const std::vector<Job>& jobs() {
        .examples = "  hogelscope --stability --output stability\n"
                    "  hogelscope --stability --output stability --calibrations cameras.json\n",
        .run = runStability},
+      {.command = Command::measure,
+       .name = "measure",
+       .help = "Measures what the session's display can show to the eye of its first state, beside "
+               "closed forms: DIR/measure.csv, measure.html, plots.",
+       .details =
+           "Resolution over depth, depth of field, viewing zone, crosstalk, angular profile, "
+           "uniformity and more, simulated with test light; the light field is not read. "
+           "After a stop the same command goes on where it was, and --shard K/N does a part, "
+           "as of a report.",
+       .examples = "  hogelscope --measure --session data/table1.json --output measures\n"
+                   "  hogelscope --measure --session s.json --states 'front' --output measures \\\n"
+                   "             --set psf.sigma=0.67 --set psf.windowSize=5\n",
+       .run = runMeasure},
+      {.command = Command::sweep,
+       .name = "sweep",
+       .value = "TABLE.json",
+       .help = "Measures figures of many designs, which vary parameters of the session as a table "
+               "says: DIR/sweep.csv, sweep.html, plots.",
+       .details = "TABLE.json has parameters, sampling (grid or latin-hypercube, with count and "
+                  "seed), figures and pareto. After a stop the same command goes on where it was, "
+                  "and --shard K/N does a part, as of a report.",
+       .examples = "  hogelscope --sweep table.json --session s.json --output sweep\n"
+                   "  hogelscope --sweep table.json --session s.json --output sweep --shard 2/4\n",
+       .run = runSweep},
+      {.command = Command::depth,
+       .name = "depth",
+       .help = "Says whether the session's content fits its display in depth, and what scale and "
+               "place would: DIR/depth.csv, .json, .png, .svg.",
+       .details = "Limits are what the display can show to the eye of a state, and what is "
+                  "comfortable for two eyes; proposed is what brings depth.share of the first "
+                  "state's pixels within both. A live scene tells its depths; those of views come "
+                  "from the shift of what they show, where that stands out.",
+       .examples = "  hogelscope --depth --session data/room.json --output depth\n"
+                   "  hogelscope --depth --session s.json --output depth --fit fitted.json \\\n"
+                   "             --set depth.comfort=0.5 --states 'front*'\n",
+       .run = runDepth},
       {.command = Command::info,
        .name = "info",
        .value = "FILE",
@@ -158,8 +194,8 @@ const std::vector<Job>& jobs() {
       {.command = Command::status,
        .name = "status",
        .value = "DIR",
-       .help = "Says how far the report in a folder is: which views, which shards. Exit status 0 "
-               "if it is finished, 1 if not.",
+       .help = "Says how far the report, measures or sweep in a folder is, and which shards. Exit "
+               "status 0 if it is finished, 1 if not.",
        .examples = "  hogelscope --status report\n",
        .run = runStatus},
       {.command = Command::help,

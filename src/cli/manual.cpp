@@ -104,9 +104,9 @@ std::string parameterManual() {
          "`intrinsics`, `pupil`, `stereo`, `distortion` and `psf`.\n\n" +
          table<DisplayParams>() + lightFieldTables() +
          table<LiveParams>({}, "lightField, layout live: the object of the source's name") +
-         table<SamplingParams>() + table<CameraParams>() + table<IntrinsicsParams>() +
-         table<PupilParams>() + table<StereoParams>() + table<DistortionParams>() +
-         table<PsfParams>() +
+         table<SamplingParams>() + table<DepthParams>() + table<CameraParams>() +
+         table<IntrinsicsParams>() + table<PupilParams>() + table<StereoParams>() +
+         table<DistortionParams>() + table<PsfParams>() +
          "# Parameters of a camera set\n\n"
          "For `--make-cameras`, likewise with `--set`; none of them stands in a session.\n\n" +
          table<CameraSetParams>() + table<CameraRegionParams>() + table<TraceParams>() +

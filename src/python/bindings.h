@@ -17,6 +17,7 @@ void addDocuments(pybind11::module_& module);
 void addLightFields(pybind11::module_& module);
 void addViews(pybind11::module_& module);
 void addFigures(pybind11::module_& module);
+void addMeasures(pybind11::module_& module);
 void addReports(pybind11::module_& module);
 
 /// A session held by Python: its text, the base of its relative paths, and its name in messages (""

@@ -25,6 +25,7 @@ PYBIND11_MODULE(_hogelscope, module) {
   addLightFields(module);
   addViews(module);
   addFigures(module);
+  addMeasures(module);
   addReports(module);
   module.attr("LightField").attr("__module__") = "hogelscope";
 }

@@ -56,7 +56,8 @@ QStringList given(const Flag& flag) {
 QStringList smallest(const Job& job) {
   static const QMap<QString, QString> values{{"make-cameras", "random"}, {"generate", "edge"},
                                              {"pack", "q_qs5x3a1.png"},  {"export", "hogels"},
-                                             {"info", "s.json"},         {"status", "out"}};
+                                             {"info", "s.json"},         {"status", "out"},
+                                             {"sweep", "table.json"}};
   QStringList arguments{dashed(job.name)};
   if (!job.value.empty()) arguments << values.value(text(job.name));
   for (const Flag& flag : allFlags())
@@ -158,6 +159,7 @@ void TestOptionTable::whatIsUsedIsHeard() {
   const QTemporaryDir folder;
   QVERIFY(QDir::setCurrent(folder.path()));
   writeFile("s.json", ::text());
+  writeFile("table.json", R"({"parameters": {"psf.sigma": [1]}, "figures": ["megapixels"]})");
   for (const char* file : {"scene.png", "t.png", "q_qs5x3a1.png"}) writeGrey(file, 20, 18);
   const QString bad = flag->name == "set"      ? "display.wrong=1"
                       : flag->name == "output" ? "s.json/wrong/wrong"

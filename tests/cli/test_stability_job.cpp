@@ -103,7 +103,7 @@ void TestStabilityJob::mistakes_data() {
       "none.json: cannot be read: No such file or directory");
   row("a session", stability({"--session", "s.json"}),
       "--session: is not an option of --stability; it belongs to --render, --report, "
-      "--make-cameras, --generate, --pack, --export, --tradeoff");
+      "--make-cameras, --generate, --pack, --export, --tradeoff, --measure, --sweep, --depth");
 }
 
 void TestStabilityJob::mistakes() {

@@ -8,7 +8,7 @@ import re
 import unittest
 
 import hogelscope as hs
-from hogelscope import _hogelscope, _content, _figures, _session, _view
+from hogelscope import _hogelscope, _content, _figures, _measure, _session, _view
 
 
 def parameters_of(function):
@@ -50,7 +50,7 @@ class Stubs(unittest.TestCase):
         self.compare(_hogelscope, self.stub.body)
 
     def test_all_is_annotated(self):
-        for module in (_content, _figures, _session, _view):
+        for module in (_content, _figures, _measure, _session, _view):
             for name, value in vars(module).items():
                 functions = [value] if inspect.isfunction(value) else []
                 if inspect.isclass(value) and value.__module__ == module.__name__:

@@ -31,6 +31,13 @@ int runExport(const CommandLine& line);
 int runTradeoff(const CommandLine& line);
 /// Measures the failures of methods: stability.csv and .png.
 int runStability(const CommandLine& line);
+/// Measures the figures of the session's display: measure.csv, measure.html and plots.
+int runMeasure(const CommandLine& line);
+/// Measures figures of many designs of the session: sweep.csv, sweep.html and plots.
+int runSweep(const CommandLine& line);
+/// Measures whether the session's content fits its display in depth: depth.csv, .json, .svg and
+/// .png.
+int runDepth(const CommandLine& line);
 /// Prints the properties of a session, an image, a folder of views or a store, read as --set
 /// specifies.
 int runInfo(const CommandLine& line);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// --status: the progress of the report in a folder.
+// --status: the progress of the report, or of another long run, in a folder.
 #include <algorithm>
 #include <filesystem>
 #include <iostream>
@@ -96,8 +96,11 @@ void print(const Run& run) {
   std::set<std::size_t> rows;
   for (const FoundJournal* journal : run.journals)
     for (const auto& [row, entry] : journal->entries) rows.insert(row);
+  const auto isOf = [&run](const char* job) { return run.head.key.starts_with(job); };
   std::cout << rows.size() << " of " << run.head.states * run.head.tests
-            << " views are done; the report is not written\n";
+            << (isOf("measure ") ? " figures are done; the table is not written\n"
+                : isOf("sweep ") ? " designs are done; the table is not written\n"
+                                 : " views are done; the report is not written\n");
   printShards(run);
   for (const FoundJournal* journal : run.journals)
     if (!journal->shard)
@@ -111,10 +114,12 @@ int runStatus(const CommandLine& line) {
   if (!isFolder(folder)) throw InputError(line.subject, "is not a folder");
   const std::vector<FoundJournal> journals = findJournals(folder);
   if (journals.empty()) {
-    if (!fs::is_regular_file(folder / "report.csv"))
-      throw InputError(line.subject, "holds no report, neither finished nor begun");
-    std::cout << "the report is finished: " << printable((folder / "report.csv").string()) << "\n";
-    return 0;
+    for (const char* const table : {"report", "measure", "sweep"})
+      if (const fs::path file = folder / (std::string(table) + ".csv"); fs::is_regular_file(file)) {
+        std::cout << "the " << table << " is finished: " << printable(file.string()) << "\n";
+        return 0;
+      }
+    throw InputError(line.subject, "holds no report, neither finished nor begun");
   }
   for (const Run& run : runsOf(journals)) print(run);
   return 1;

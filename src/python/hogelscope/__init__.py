@@ -32,6 +32,7 @@ from . import _hogelscope
 from ._content import open
 from ._figures import bd_rate, compare
 from ._hogelscope import InputError, LightField, add_plugin_folder, allow_memory
+from ._measure import depth, measure, sweep
 from ._session import Session, cameras, report
 from ._view import View
 
@@ -46,8 +47,11 @@ __all__ = [
     "bd_rate",
     "cameras",
     "compare",
+    "depth",
+    "measure",
     "open",
     "report",
+    "sweep",
 ]
 
 

@@ -58,7 +58,16 @@ def compare(
     test: Tuple[np.ndarray, np.ndarray, Optional[np.ndarray]],
     metrics: Sequence[str],
 ) -> Dict[str, float]: ...
+def depth(
+    document: Document, threads: int, progress: Optional[Callable[[float], object]]
+) -> Tuple[str, str, str]: ...
 def load(file: str, overrides: Sequence[str], calibration: str) -> str: ...
+def measure(
+    document: Document,
+    output: str,
+    threads: int,
+    progress: Optional[Callable[[float], object]],
+) -> str: ...
 def normal(document: Document) -> str: ...
 def open(
     document: Document, warnings: Sequence[str], progress: Optional[Callable[[float], object]]
@@ -75,6 +84,13 @@ def report(
     progress: Optional[Callable[[float], object]],
 ) -> List[Dict[str, Any]]: ...
 def save(document: Document, file: str) -> None: ...
+def sweep(
+    document: Document,
+    table: str,
+    output: str,
+    threads: int,
+    progress: Optional[Callable[[float], object]],
+) -> str: ...
 def write(
     file: str, image: np.ndarray, values: Optional[np.ndarray], inputs: List[str]
 ) -> None: ...

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// --depth: whether content fits the display in depth, and where it would.
+#include <cmath>
+#include <filesystem>
+#include <iostream>
+
+#include "chart/depth_budget_chart.h"
+#include "cli/inputs.h"
+#include "cli/jobs/all_jobs.h"
+#include "cli/terminal.h"
+#include "core/base/error.h"
+#include "core/base/text.h"
+#include "io/documents/session_file.h"
+#include "io/files/atomic_file.h"
+#include "io/files/folders.h"
+#include "io/files/system_limits.h"
+#include "measure/depth_budget_run.h"
+
+namespace hogelscope {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string percent(double share) {
+  return numberText(std::round(1000 * share) / 10) + " %";
+}
+
+std::string centimetres(double depth) {
+  return std::isinf(depth) ? "∞" : rounded(100 * depth, 1) + " cm";
+}
+
+void printFigures(const DepthBudget& budget) {
+  const DepthFigures& first = budget.now.states.front();
+  const DepthRange sharp = first.limits.inMetres(first.limits.display);
+  const DepthRange comfortable = first.limits.inMetres(first.limits.comfort);
+  std::cout << printable(first.state) << ", " << numberText(first.limits.distance)
+            << " m from the panel:\n  sharp from " << centimetres(sharp.behind) << " behind to "
+            << centimetres(sharp.front) << " in front of the panel, comfortable from "
+            << centimetres(comfortable.behind) << " to " << centimetres(comfortable.front)
+            << "\n  inside the display's limits " << percent(first.insideDisplay)
+            << ", inside both " << percent(first.inside) << " of the pixels whose depth is known ("
+            << percent(first.known) << ")\n";
+  if (!budget.proposal) {
+    std::cout << "  nothing is proposed: " << budget.obstacle << "\n";
+    return;
+  }
+  const DepthFigures& later = budget.proposal->depths.states.front();
+  std::cout << "  proposed: " << placeText(*budget.proposal) << ": inside both "
+            << percent(later.inside) << "\n";
+}
+
+}  // namespace
+
+int runDepth(const CommandLine& line) {
+  const Session session = loadSelected(line);
+  const auto file = openLightField(session.lightField, session.display);
+  warnOf(*file, line.text("session"), line);
+  const fs::path folder = line.text("output");
+  const std::string fit = line.text("fit");
+  std::vector<fs::path> outputs{folder / "depth.csv", folder / "depth.json", folder / "depth.png",
+                                folder / "depth.svg"};
+  if (!fit.empty()) {
+    if (!isSessionFile(fit))
+      throw InputError("--fit " + fit,
+                       "cannot be written: a session's name ends in .hogelscope or .json");
+    outputs.emplace_back(fit);
+  }
+  checkOutputs(outputs,
+               inputFiles({line.text("session"), line.text("calibration")}, session, *file));
+  keepSession(line, session);
+  makeFolder(folder);
+  ProgressBar bar("measuring depths", line.has("quiet"));
+  const DepthBudget budget = measureDepths(session, *file, {}, bar.progress());
+  if (!fit.empty() && !budget.proposal)
+    throw InputError("--fit " + fit, "there is nothing to write: " + budget.obstacle);
+  const OffscreenPainting painting;
+  writeTextFile(folder / "depth.csv", csv(budget));
+  writeTextFile(folder / "depth.json", json(budget));
+  const DepthBudgetChart chart(budget, session);
+  const Paint paint = [&chart](QPainter& painter, const QSizeF& size) {
+    chart.paint(painter, size);
+  };
+  writeTextFile(folder / "depth.png", pngOf(paint, chart.size()));
+  writeTextFile(folder / "depth.svg", svgOf(paint, chart.size(), "Depth budget"));
+  if (!fit.empty()) {
+    makeFolderOf(fit);
+    saveSession(fit, budget.proposal->session);
+  }
+  bar.done();
+  if (line.has("quiet")) return 0;
+  printFigures(budget);
+  std::cout << "chart and table in " << printable((folder / "depth.png").string())
+            << ", .svg, .csv and .json\n";
+  return 0;
+}
+
+}  // namespace hogelscope

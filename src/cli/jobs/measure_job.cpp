@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// --measure: the figures of the session's display.
+#include <cmath>
+#include <filesystem>
+#include <iostream>
+
+#include "cli/inputs.h"
+#include "cli/jobs/all_jobs.h"
+#include "cli/terminal.h"
+#include "core/base/text.h"
+#include "io/documents/session_file.h"
+#include "io/files/folders.h"
+#include "measure/measure_run.h"
+
+namespace hogelscope {
+
+namespace {
+
+/// Prints the figures that stand for a display.
+void printFigures(const Measured& measured) {
+  for (const char* const name :
+       {"hogelPitch", "degreesPerDirection", "viewingZone", "crosstalk", "angularProfile",
+        "depthOfField", "depthFront", "depthBehind", "parallaxStep"}) {
+    for (const MeasuredFigure& one : measured.figures) {
+      if (one.of.figure != name || (one.of.unit.empty() && one.of.across != 0)) continue;
+      std::cout << "  " << name << " (" << one.of.where << "): " << rounded(one.value, 4) << " "
+                << one.of.unit;
+      if (!std::isnan(one.of.closedForm))
+        std::cout << ", closed form " << rounded(one.of.closedForm, 4);
+      std::cout << "\n";
+      break;
+    }
+  }
+}
+
+}  // namespace
+
+int runMeasure(const CommandLine& line) {
+  const bool isQuiet = line.has("quiet");
+  MeasureRequest request;
+  request.name = line.text("session");
+  request.session = loadSelected(line);
+  request.display = displayToMeasure(request.session, {});
+  request.output = line.text("output");
+  request.shard = shardOf(line);
+  const std::filesystem::path folder = request.output;
+  std::vector<std::filesystem::path> inputs{request.name, line.text("calibration")};
+  for (const std::string& file : request.display.lensParams.files()) inputs.emplace_back(file);
+  checkOutputs({folder / "measure.csv", folder / "measure.html"}, inputs);
+  keepSession(line, request.session);
+  ProgressBar bar("measuring", isQuiet);
+  const Measured measured = measure(request, bar.progress());
+  bar.done();
+  if (isQuiet) return 0;
+  if (measured.replacedAnother)
+    printNote((folder / "report.journal").string() +
+              ": was of another run that did not finish; begun anew");
+  if (measured.taken > 0)
+    printNote("went on after " + std::to_string(measured.taken) + " figures of an earlier run");
+  if (request.shard) {
+    std::cout << "shard " << textOf(*request.shard)
+              << ": its figures are done; the command without --shard writes the page\n";
+    return 0;
+  }
+  printFigures(measured);
+  std::cout << measured.figures.size() << " figures in "
+            << printable((folder / "measure.csv").string()) << " and "
+            << printable((folder / "measure.html").string()) << "\n";
+  return 0;
+}
+
+}  // namespace hogelscope

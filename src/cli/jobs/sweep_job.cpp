@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// --sweep: figures of many designs.
+#include <algorithm>
+#include <filesystem>
+#include <iostream>
+
+#include "cli/inputs.h"
+#include "cli/jobs/all_jobs.h"
+#include "cli/terminal.h"
+#include "core/base/text.h"
+#include "io/files/folders.h"
+#include "measure/sweep.h"
+
+namespace hogelscope {
+
+int runSweep(const CommandLine& line) {
+  const bool isQuiet = line.has("quiet");
+  SweepRequest request;
+  request.name = line.text("session");
+  request.table = loadSweepTable(line.subject);
+  request.session = loadSelected(line);
+  inFile(line.subject, [&] { checkFigures(request.table, request.session); });
+  request.output = line.text("output");
+  request.shard = shardOf(line);
+  const std::filesystem::path folder = request.output;
+  std::vector<std::filesystem::path> inputs{line.subject, request.name, line.text("calibration")};
+  for (const std::string& file : request.session.display.lensParams.files())
+    inputs.emplace_back(file);
+  checkOutputs({folder / "sweep.csv", folder / "sweep.html"}, inputs);
+  keepSession(line, request.session);
+  ProgressBar bar("measuring designs", isQuiet);
+  const Sweep result = inFile(line.subject, [&] { return sweep(request, bar.progress()); });
+  bar.done();
+  if (isQuiet) return 0;
+  if (result.replacedAnother)
+    printNote((folder / "report.journal").string() +
+              ": was of another run that did not finish; begun anew");
+  if (result.taken > 0)
+    printNote("went on after " + std::to_string(result.taken) + " designs of an earlier run");
+  if (request.shard) {
+    std::cout << "shard " << textOf(*request.shard)
+              << ": its designs are done; the command without --shard writes the page\n";
+    return 0;
+  }
+  const auto failed =
+      std::ranges::count_if(result.rows, [](const SweepRow& row) { return !row.problem.empty(); });
+  if (failed > 0)
+    printNote(std::to_string(failed) + " designs could not be measured; sweep.csv says why");
+  std::cout << result.rows.size() << " designs";
+  if (!request.table.pareto.empty())
+    std::cout << ", " << std::ranges::count_if(result.rows, &SweepRow::isPareto)
+              << " of them on the Pareto front,";
+  std::cout << " in " << printable((folder / "sweep.csv").string()) << " and "
+            << printable((folder / "sweep.html").string()) << "\n";
+  return 0;
+}
+
+}  // namespace hogelscope

@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "measure/bench.h"
+
+#include <cmath>
+#include <limits>
+
+#include "core/base/error.h"
+#include "core/content/live_source.h"
+#include "core/panel/design_numbers.h"
+
+namespace hogelscope {
+
+namespace {
+
+/// Test light as the content of a live scene, at the panel.
+class TestContent : public plugin::ContentSource {
+ public:
+  explicit TestContent(const TestLight& light) : m_light(light) {}
+
+  void describe(ParameterVisitor& /*v*/) override {}
+  void open(const plugin::Panel& /*panel*/, const plugin::Place& /*place*/,
+            const plugin::Progress& /*progress*/) override {}
+  void depths(double& back, double& front) const override { back = front = 0; }
+  void trace(std::span<const plugin::Ray> rays, std::span<plugin::Colour> colours) const override {
+    for (std::size_t k = 0; k < rays.size(); ++k) {
+      const auto value = float(m_light(rays[k]));
+      colours[k] = {value, value, value};
+    }
+  }
+
+ private:
+  const TestLight& m_light;
+};
+
+PanelParams onBench(PanelParams display) {
+  display.position = display.orientation = {};
+  return display;
+}
+
+}  // namespace
+
+Bench::Bench(const PanelParams& display, const CameraState& state)
+    : m_display(onBench(display)),
+      m_panel(m_display),
+      m_eye(Display(display).displayFromWorld().point(state.camera.eye)),
+      m_psf(state.psf),
+      m_pupil(state.pupil) {
+  if (!(m_eye.z > 0)) throw InputError(state.camera.name, "its eye is not in front of the panel");
+  const DesignNumbers numbers = designNumbers(m_display, m_eye);
+  m_steps = numbers.slopeStep;
+}
+
+Bench Bench::withoutBlur() const {
+  Bench plain = *this;
+  plain.m_psf = {};
+  plain.m_pupil = {};
+  return plain;
+}
+
+bool Bench::isLinear(std::size_t axis) const {
+  return m_panel.lens(axis).isLinear();
+}
+
+double Bench::directionOf(const plugin::Ray& ray, std::size_t axis) const {
+  const Vec2 place = pointOf(ray, 0);
+  const Vec2 turn = m_panel.turn(place);
+  const double slope = axis == 0 ? ray.a + turn.x : -(ray.b + turn.y);
+  return (0.5 + m_panel.lens(axis).directionOf(slope)) * m_display.directions[axis];
+}
+
+double Bench::middleHogel(std::size_t axis) const {
+  const int middle = m_display.hogels[axis] / 2;
+  const Vec2 place = m_panel.position(middle + 0.5, middle + 0.5);
+  return axis == 0 ? place.x : place.y;
+}
+
+double Bench::eyePlaceFor(double direction, double place, std::size_t axis) const {
+  const Vec2 slopes = m_panel.slopes(direction, direction);
+  const Vec2 turn = m_panel.turn({place, place});
+  return place + distance() * (axis == 0 ? slopes.x - turn.x : slopes.y - turn.y);
+}
+
+std::vector<BenchPoint> Bench::look(const TestLight& light, const Vec3& eye, std::size_t axis,
+                                    double from, double to, int count, double across) {
+  RenderJob job;
+  job.lightField = std::make_shared<LiveSource>(
+      std::make_shared<TestContent>(light), m_display, LiveParams(), StoredType::real,
+      std::numeric_limits<std::size_t>::max(), serialRows);
+  job.display = m_display;
+  CameraState& state = job.state;
+  state.psf = m_psf;
+  state.pupil = m_pupil;
+  state.camera.eye = eye;
+  state.camera.lookat = {eye.x, eye.y, 0};
+  state.camera.res[axis] = count;
+  state.camera.res[1 - axis] = 1;
+  // The camera looks straight at the panel's plane, its image is the line. Rows of images go down.
+  const double width = (to - from) / count;
+  const double focal = eye.z / width;
+  const double first = (axis == 0 ? from + width / 2 - eye.x : eye.y - to + width / 2) / width;
+  const double other = (axis == 0 ? eye.y - across : across - eye.x) / width;
+  state.intrinsics = {focal, focal, axis == 0 ? -first : -other, axis == 0 ? -other : -first};
+  const FloatImage image = m_renderer.renderFloat(job);
+  std::vector<BenchPoint> points;
+  for (int k = 0; k < count; ++k) {
+    const auto pixel = std::size_t(axis == 0 ? k : count - 1 - k);
+    if (image.seen[pixel] == 0) continue;
+    BenchPoint point;
+    point.place = from + (k + 0.5) * width;
+    point.value = double(image.rgb[3 * pixel]);
+    const Vec3 target = axis == 0 ? Vec3{point.place, across, 0} : Vec3{across, point.place, 0};
+    const auto hit = m_panel.intersectPlane(eye, target - eye);
+    if (hit) point.direction = axis == 0 ? hit->u : hit->v;
+    points.push_back(point);
+  }
+  return points;
+}
+
+double Bench::lookAt(const TestLight& light, const Vec3& eye, const Vec2& point) {
+  const double half = 1e-4 * pitch(0);
+  const auto points = look(light, eye, 0, point.x - half, point.x + half, 1, point.y);
+  return points.empty() ? std::numeric_limits<double>::quiet_NaN() : points[0].value;
+}
+
+namespace {
+
+constexpr double grey = 0.5, linearWave = 0.4;      // of linear light
+constexpr double middleCode = 127.5, codeWave = 4;  // code values
+
+}  // namespace
+
+double Bench::codeOf(double wave) const {
+  return sumsLinear() ? encodedFromLinear(grey + linearWave * wave) : middleCode + codeWave * wave;
+}
+
+double Bench::waveOf(double code) const {
+  return sumsLinear() ? (linearFromEncoded(code) - grey) / linearWave
+                      : (code - middleCode) / codeWave;
+}
+
+std::vector<double> Bench::weights() const {
+  std::vector<double> weights = m_psf.windowSize > 1
+                                    ? gaussianWeights(m_psf.sigma, m_psf.windowSize / 2)
+                                    : std::vector<double>{1};
+  double sum = 0;
+  for (const double weight : weights) sum += weight;
+  for (double& weight : weights) weight /= sum;
+  return weights;
+}
+
+}  // namespace hogelscope

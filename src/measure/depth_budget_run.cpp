@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "measure/depth_budget_run.h"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+#include "core/base/error.h"
+#include "core/base/text.h"
+#include "core/panel/design_numbers.h"
+#include "io/json/json_parameters.h"
+
+namespace hogelscope {
+
+namespace {
+
+double distanceOf(const CameraState& state, const PanelParams& display) {
+  return Display(display).displayFromWorld().point(state.camera.eye).z;
+}
+
+DepthParams paramsOf(DepthParams params, const CameraState& state) {
+  if (state.stereo.ipd > 0) params.ipd = state.stereo.ipd;
+  if (state.pupil.diameter > 0) params.pupil = state.pupil.diameter;
+  return params;
+}
+
+StatesDepths depthsOfStates(const Session& session, const ViewSource& source,
+                            const Progress& progress) {
+  StatesDepths result;
+  Renderer renderer;
+  const double count = double(session.cameras.size()) + 1;
+  for (const CameraState& state : session.cameras) {
+    const double done = double(result.states.size());
+    const double distance = distanceOf(state, source.display);
+    if (!(distance > 0))
+      throw InputError(state.camera.name, "its eye is not in front of the panel");
+    PixelDepths depths = depthsOf(source.job(state), renderer.tables(),
+                                  part(progress, done / count, (done + 1) / count));
+    const DepthParams ofState = paramsOf(session.depth, state);
+    result.states.push_back(depthFigures(state.camera.name, depths,
+                                         depthLimits(source.display, distance, ofState),
+                                         session.depth.share));
+    if (done == 0) result.first = std::move(depths);
+  }
+  RenderJob job = source.job(session.cameras.front());
+  job.isIdeal = session.lightField.isLive();
+  job.state.psf = {};
+  job.state.pupil = {};
+  result.picture = renderer.render(job, part(progress, 1 - 1 / count, 1));
+  return result;
+}
+
+/// Moves a live scene's content. Returns false if it has no place or no scale.
+bool moveContent(LightFieldParams& lightField, const DepthFit& fit) {
+  ContentParams& content = lightField.content;
+  const auto* const position = content.find<std::vector<double>>("position");
+  const auto* const scale = content.find<std::vector<double>>("scale");
+  if (position == nullptr || position->size() != 3 || scale == nullptr || scale->size() != 1)
+    return false;
+  std::vector<double> place = *position;
+  place[2] -= fit.zero;
+  for (double& value : place) value *= fit.scale;
+  const std::vector<double> size{fit.scale * (*scale)[0]};
+  content.set("position", place);
+  content.set("scale", size);
+  std::array<double, 2>& cut = lightField.live.depth;
+  if (cut != LiveParams().depth)
+    for (double& depth : cut) depth = fit.scale * (depth - fit.zero);
+  return true;
+}
+
+/// Shears views so that the middle of the interval, in metres, comes to lie on the panel.
+void shearViews(LightFieldParams& lightField, const PanelParams& display,
+                const std::array<double, 2>& interval) {
+  const std::array<int, 2> middle{display.directions[0] / 2, display.directions[1] / 2};
+  const auto back = disparityOf(interval[0], display, middle);
+  const auto front = disparityOf(interval[1], display, middle);
+  for (const std::size_t axis : {0, 1})
+    if (display.directions[axis] > 1) lightField.shear[axis] -= (back[axis] + front[axis]) / 2;
+}
+
+/// Returns the proposed session, or says why there is none.
+std::optional<DepthProposal> proposed(const Session& session, const PanelParams& display,
+                                      const DepthFigures& figures, std::string& obstacle) {
+  const DepthLimits& limits = figures.limits;
+  const std::array<double, 2> interval{depthAt(figures.interval[0], limits.distance),
+                                       depthAt(figures.interval[1], limits.distance)};
+  const DepthRange range = limits.inMetres(limits.both());
+  DepthProposal proposal{
+      session, fitDepths(interval[0], interval[1], range.behind, range.front), {}};
+  LightFieldParams& lightField = proposal.session.lightField;
+  const bool endsAtInfinity = std::isinf(interval[0]);
+  if (isGridOfViews(lightField.layout)) {
+    if (endsAtInfinity && display.viewingDistance == notGiven) {
+      obstacle = "content lies infinitely far behind the panel";
+      return {};
+    }
+    if (proposal.fit.scale < 1 || proposal.fit.zero != 0) shearViews(lightField, display, interval);
+    return proposal;
+  }
+  if (lightField.isLive() && !endsAtInfinity && moveContent(lightField, proposal.fit))
+    return proposal;
+  obstacle = endsAtInfinity ? "content lies infinitely far behind the panel"
+             : lightField.isLive()
+                 ? "lightField.source \"" + lightField.source + "\" has no position and scale"
+                 : "content of this layout cannot be moved: views and mosaic have lightField.shear";
+  return {};
+}
+
+Json jsonOf(const DepthRange& range) {
+  Json object = Json::object();
+  object["front"] = range.front;
+  if (std::isinf(range.behind))
+    object["behind"] = nullptr;
+  else
+    object["behind"] = range.behind;
+  return object;
+}
+
+Json jsonOf(const DepthFigures& figures) {
+  Json object = Json::object();
+  const DepthLimits& limits = figures.limits;
+  object["state"] = figures.state;
+  object["distance"] = limits.distance;
+  object["limits"] = jsonOf(limits.inMetres(limits.display));
+  object["comfort"] = jsonOf(limits.inMetres(limits.comfort));
+  object["directionsPerPupil"] = limits.directionsPerPupil;
+  object["known"] = figures.known;
+  object["inside"] = {{"display", figures.insideDisplay}, {"both", figures.inside}};
+  object["ghosts"] = figures.ghosts;
+  object["mismatch"] = limits.mismatchOf(farthestOf(figures));
+  if (figures.dioptres.empty())
+    object["interval"] = nullptr;
+  else
+    object["interval"] = {depthAt(figures.interval[0], limits.distance),
+                          depthAt(figures.interval[1], limits.distance)};
+  return object;
+}
+
+Json placeOf(const LightFieldParams& lightField) {
+  Json object = Json::object();
+  if (lightField.isLive()) {
+    object["scale"] = lightField.content.find<std::vector<double>>("scale")->front();
+    object["position"] = *lightField.content.find<std::vector<double>>("position");
+  } else {
+    object["shear"] = lightField.shear;
+  }
+  return object;
+}
+
+}  // namespace
+
+DepthBudget measureDepths(const Session& session, LightFieldFile& file, const SourceUse& use,
+                          const Progress& progress) {
+  DepthBudget budget;
+  const ViewSource source = loadViewSource(session, file, part(progress, 0, 0.2), use);
+  budget.now = depthsOfStates(session, source, part(progress, 0.2, 0.6));
+  const DepthFigures& first = budget.now.states.front();
+  if (first.dioptres.empty()) throw InputError(first.state, "sees no content whose depth is known");
+  budget.proposal = proposed(session, source.display, first, budget.obstacle);
+  if (!budget.proposal) return budget;
+  const Session& moved = budget.proposal->session;
+  const ViewSource movedSource =
+      moved == session ? source : loadViewSource(moved, part(progress, 0.6, 0.7), use);
+  budget.proposal->depths = depthsOfStates(moved, movedSource, part(progress, 0.7, 1));
+  return budget;
+}
+
+std::string placeText(const DepthProposal& proposal) {
+  const LightFieldParams& lightField = proposal.session.lightField;
+  const auto list = [](std::span<const double> values) {
+    std::string text;
+    for (const double value : values)
+      text += (text.empty() ? "[" : ", ") + numberText(fourDigits(value));
+    return text + "]";
+  };
+  if (!lightField.isLive()) return "shear " + list(lightField.shear) + " px/view";
+  return "scale " +
+         numberText(fourDigits(lightField.content.find<std::vector<double>>("scale")->front())) +
+         ", position " + list(*lightField.content.find<std::vector<double>>("position")) + " m";
+}
+
+std::string csv(const DepthBudget& budget) {
+  std::string text = "state,z,dioptres,disparity,mismatch,share,proposed\n";
+  for (std::size_t k = 0; k < budget.now.states.size(); ++k) {
+    const DepthFigures& now = budget.now.states[k];
+    const DepthFigures* const later =
+        budget.proposal ? &budget.proposal->depths.states[k] : nullptr;
+    const double end = barsEnd(now, later);
+    const DepthBars bars = depthBars(now, end);
+    const DepthBars proposed = later != nullptr ? depthBars(*later, end) : DepthBars();
+    for (std::size_t bar = 0; bar < bars.shares.size(); ++bar) {
+      const double dioptres = bars.middle(bar);
+      const double share = later != nullptr ? proposed.shares[bar] : 0;
+      if (bars.shares[bar] == 0 && share == 0) continue;
+      text += csvCell(now.state) + "," + numberText(depthAt(dioptres, now.limits.distance)) + "," +
+              numberText(dioptres) + "," + numberText(now.limits.disparityOf(dioptres)) + "," +
+              numberText(now.limits.mismatchOf(dioptres)) + "," + numberText(bars.shares[bar]) +
+              "," + (later != nullptr ? numberText(share) : "") + "\n";
+    }
+  }
+  return text;
+}
+
+std::string json(const DepthBudget& budget) {
+  Json document = jsonOf(budget.now.states.front());
+  document["proposal"] = nullptr;
+  document["proposed"] = nullptr;
+  if (budget.proposal) {
+    const DepthFigures& first = budget.proposal->depths.states.front();
+    document["proposal"] = placeOf(budget.proposal->session.lightField);
+    document["proposed"] = {{"display", first.insideDisplay}, {"both", first.inside}};
+  }
+  document["states"] = Json::array();
+  for (const DepthFigures& figures : budget.now.states)
+    document["states"].push_back(jsonOf(figures));
+  return formatJson(document);
+}
+
+}  // namespace hogelscope

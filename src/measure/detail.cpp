@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The detail that a display shows at each depth: gratings on planes.
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "core/base/text.h"
+#include "core/panel/depth_budget.h"
+#include "core/panel/design_numbers.h"
+#include "measure/contrast.h"
+#include "measure/measurement.h"
+
+namespace hogelscope {
+
+namespace {
+
+constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+constexpr double infinite = std::numeric_limits<double>::infinity();
+const double half = 2 / std::numbers::pi;  ///< sinc(1/2)
+
+std::string placeOf(const Grating& grating) {
+  return "f=" + numberText(fourDigits(grating.frequency / 1000)) +
+         "/mm z=" + numberText(fourDigits(grating.z)) + " m";
+}
+
+/// Returns p/s, or a depth of the eye's order if the axis has but one direction.
+double depthScale(const Bench& bench, std::size_t axis) {
+  return bench.display().directions[axis] > 1 ? bench.pitch(axis) / bench.step(axis)
+                                              : bench.distance();
+}
+
+double nyquist(const Bench& bench, std::size_t axis) {
+  return 1 / (2 * bench.pitch(axis));
+}
+
+void addMtf(const Bench& bench, std::size_t axis, std::vector<Measurement>& all) {
+  constexpr int frequencies = 24;
+  constexpr int depths = 41;
+  const double distance = bench.distance();
+  // In cycles per degree of the eye, to twice what hogels can show on the panel, and in dioptres.
+  const double perDegree = distance * std::numbers::pi / 180;
+  const double most = 2 * nyquist(bench, axis) * perDegree;
+  const double scale = depthScale(bench, axis);
+  const double end = std::min(2.0 * scale / (distance * distance), 0.97 / distance);
+  for (int k = 0; k < depths; ++k) {
+    const double dioptres = end * (2.0 * k / (depths - 1) - 1);
+    const double z = depthAt(dioptres, distance);
+    for (int n = 1; n <= frequencies; ++n) {
+      const double cycles = most * n / frequencies;
+      const Grating grating{cycles / ((distance - z) * std::numbers::pi / 180), z};
+      all.push_back({"mtf", "", placeOf(grating),
+                     [grating, axis](Bench& b) { return contrast(b, grating, axis); },
+                     bench.isLinear(axis) ? contrastLaw(bench, grating, axis) : unknown, dioptres,
+                     cycles});
+    }
+  }
+}
+
+/// Returns the frequency, up to the hogels' limit, at which contrast falls to a half.
+double finest(const std::function<double(double frequency)>& contrastOf, double limit) {
+  if (contrastOf(limit) >= 0.5) return limit;
+  double low = 0;
+  double high = limit;
+  for (int halving = 0; halving < 30; ++halving) {
+    const double middle = (low + high) / 2;
+    (contrastOf(middle) >= 0.5 ? low : high) = middle;
+  }
+  return low;
+}
+
+void addSpatialResolution(const Bench& bench, std::size_t axis, std::vector<Measurement>& all) {
+  const double limit = nyquist(bench, axis);
+  const double scale = depthScale(bench, axis);
+  for (const double z : {0.0, -0.5 * scale, -scale, 0.5 * scale}) {
+    if (z >= 0.9 * bench.distance()) continue;
+    const auto formOf = [&](double f) { return contrastLaw(bench, {f, z}, axis); };
+    all.push_back(
+        {"spatialResolution", "1/mm", "contrast 0.5 z=" + numberText(fourDigits(z)) + " m",
+         [=](Bench& b) {
+           return 1e-3 * finest([&](double f) { return contrast(b, {f, z}, axis); }, limit);
+         },
+         bench.isLinear(axis) ? 1e-3 * finest(formOf, limit) : unknown, z});
+  }
+}
+
+void addDepthOfField(const Bench& bench, std::size_t axis, std::vector<Measurement>& all) {
+  const double frequency = nyquist(bench, axis);
+  const double scale = depthScale(bench, axis);
+  const std::string where = "behind f=" + numberText(fourDigits(frequency / 1000)) + "/mm";
+  const bool isLinear = bench.isLinear(axis);
+  const Bench sharp = bench.withoutBlur();
+  const auto formOf = [&](const Bench& of, double level) {
+    const double onPanel = contrastLaw(of, {frequency, 0}, axis);
+    return depthOfFall(
+        [&](double z) {
+          return contrastLaw(of, {frequency, -z}, axis) / onPanel;
+        },
+        level, scale);
+  };
+  const bool isParallel = bench.display().viewingDistance == notGiven;
+  all.push_back({"depthOfField", "m", where,
+                 [=](Bench& b) {
+                   Bench plain = b.withoutBlur();
+                   const double onPanel = contrast(plain, {frequency, 0}, axis);
+                   return depthOfFall(
+                       [&](double z) {
+                         return contrast(plain, {frequency, -z}, axis) / onPanel;
+                       },
+                       half, scale);
+                 },
+                 !isLinear    ? unknown
+                 : isParallel ? scale
+                              : formOf(sharp, half)});
+  for (const int percent : {50, 10}) {
+    const double level = percent / 100.0;
+    all.push_back({"depthOfField" + std::to_string(percent), "m", where,
+                   [=](Bench& b) {
+                     const double first = contrast(b, {frequency, 0}, axis);
+                     return depthOfFall(
+                         [&](double z) {
+                           return contrast(b, {frequency, -z}, axis) / first;
+                         },
+                         level, scale);
+                   },
+                   isLinear ? formOf(bench, level) : unknown});
+  }
+}
+
+/// The depths at which one direction is as wide as a hogel, as the eye sees both: of gratings that
+/// have, as this eye sees them, the hogels' limit on the panel, the share of the contrast that the
+/// directions leave falls to sinc(1/2).
+void addDepthLimits(const Bench& bench, std::size_t axis, std::vector<Measurement>& all) {
+  const double distance = bench.distance();
+  const double frequency = nyquist(bench, axis);
+  const double display = depthScale(bench, axis) / (distance * distance);  // p/(s D²), dioptres
+  const bool isParallel = bench.display().viewingDistance == notGiven;
+  for (const double sign : {1.0, -1.0}) {
+    const bool isFront = sign > 0;
+    // Searches with the contrast of gratings.
+    const auto search = [=](const auto& contrastOf) {
+      const auto fall = [&](double dioptres) {
+        const double z = std::max(depthAt(sign * dioptres, distance), -1e4 * distance);
+        const double f = frequency * distance / (distance - z);
+        return contrastOf(Grating{f, z}) / contrastOf(Grating{f, 0});
+      };
+      // Behind the panel there is nothing beyond −1/D.
+      if (!isFront && fall(1 / distance) > half) return infinite;
+      return sign * depthAt(sign * depthOfFall(fall, half, display), distance);
+    };
+    Measurement one{isFront ? "depthFront" : "depthBehind",
+                    "m",
+                    "z=" + numberText(fourDigits(distance)) + " m",
+                    {}};
+    if (bench.isLinear(axis))
+      one.closedForm = isParallel
+                           ? sign * depthAt(sign * display, distance)
+                           : search([sharp = bench.withoutBlur(), axis](const Grating& grating) {
+                               return contrastLaw(sharp, grating, axis);
+                             });
+    one.simulate = [=](Bench& b) {
+      Bench plain = b.withoutBlur();
+      return search([&](const Grating& grating) { return contrast(plain, grating, axis); });
+    };
+    all.push_back(std::move(one));
+  }
+}
+
+void addThroughFocus(const Bench& bench, std::size_t axis, double pupil,
+                     std::vector<Measurement>& all) {
+  constexpr int steps = 20;
+  const double distance = bench.distance();
+  const double frequency = nyquist(bench, axis) / 2;
+  const double z = -0.25 * depthScale(bench, axis);
+  const Grating grating{frequency * distance / (distance - z), z};
+  const double range = 1.5;  // dioptres to each side of the content
+  const double middle = 1 / (distance - z);
+  for (int k = -steps; k <= steps; ++k) {
+    const double vergence = middle + range * k / steps;
+    if (vergence <= 0.05) continue;
+    PupilParams params = bench.pupil();
+    if (params.diameter == 0) params.diameter = pupil;
+    params.focus = 1 / vergence;
+    if (params.samples == 0) params.samples = 64;  // the law is of a whole pupil
+    Bench focused = bench;
+    focused.setPupil(params);
+    all.push_back({"throughFocus", "",
+                   "focus=" + numberText(fourDigits(params.focus)) + " m " + placeOf(grating),
+                   [=](Bench& b) {
+                     Bench own = b;
+                     own.setPupil(params);
+                     return contrast(own, grating, axis);
+                   },
+                   bench.isLinear(axis) ? contrastLaw(focused, grating, axis) : unknown, vergence});
+  }
+}
+
+/// The contrast that diffraction at a square lenslet leaves, 1 − λ f |z|/p: not simulated.
+void addDiffraction(const Bench& bench, std::size_t axis, std::vector<Measurement>& all) {
+  constexpr double wavelength = 550e-9;
+  const double pitch = bench.pitch(axis);
+  const Grating grating{nyquist(bench, axis), -depthScale(bench, axis)};
+  const double left = 1 - wavelength * grating.frequency * std::abs(grating.z) / pitch;
+  all.push_back({"diffraction", "", placeOf(grating) + " 550 nm", {}, std::max(left, 0.0)});
+}
+
+}  // namespace
+
+void addDetail(const Bench& bench, double pupil, std::vector<Measurement>& all) {
+  const std::size_t axis = mainAxis(bench);
+  addSpatialResolution(bench, axis, all);
+  addMtf(bench, axis, all);
+  if (bench.display().directions[axis] > 1) {
+    addDepthOfField(bench, axis, all);
+    addDepthLimits(bench, axis, all);
+  }
+  addThroughFocus(bench, axis, pupil, all);
+  addDiffraction(bench, axis, all);
+}
+
+}  // namespace hogelscope

@@ -1,0 +1,318 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "measure/measure_page.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+
+#include "core/base/text.h"
+#include "core/panel/depth_budget.h"
+#include "core/panel/design_numbers.h"
+#include "io/files/atomic_file.h"
+#include "page/html.h"
+#include "page/map_plot.h"
+
+namespace hogelscope {
+
+namespace {
+
+constexpr PlotBox wide{.width = 640, .height = 330, .top = 26};
+constexpr PlotBox map{.width = 720, .height = 400, .top = 26};
+constexpr double columnWidth = 86;  ///< of a two-column paper, mm
+
+using Figures = std::vector<const MeasuredFigure*>;
+
+/// Returns the figures of this name with a place in a plot: `begin` starts their `where`.
+Figures chosen(const std::vector<MeasuredFigure>& figures, std::string_view name,
+               std::string_view begin) {
+  Figures result;
+  for (const MeasuredFigure& one : figures)
+    if (one.of.figure == name && one.of.where.starts_with(begin)) result.push_back(&one);
+  std::ranges::stable_sort(result, {}, [](const MeasuredFigure* one) { return one->of.across; });
+  return result;
+}
+
+std::string cell(double value) {
+  return std::isnan(value) ? std::string() : numberText(value);
+}
+
+std::string pointsOf(const Figures& figures, const std::string& across, const std::string& up) {
+  std::string text = across + (up.empty() ? "" : "," + up) + ",value,closed_form\n";
+  for (const MeasuredFigure* one : figures)
+    text += numberText(one->of.across) + "," + (up.empty() ? "" : numberText(one->of.up) + ",") +
+            cell(one->value) + "," + cell(one->of.closedForm) + "\n";
+  return text;
+}
+
+/// A plot of values over one axis, simulated and in closed form.
+struct CurveTitles {
+  std::string name;
+  std::string title;
+  std::string caption;
+  std::string across;  ///< title of the axis
+  std::string up;
+  std::string column;  ///< of the CSV
+};
+
+void addCurve(const Figures& figures, const CurveTitles& titles, std::vector<MeasurePlot>& plots) {
+  if (figures.size() < 2) return;
+  Plot plot;
+  plot.titleAcross = titles.across;
+  plot.titleUp = titles.up;
+  plot.hasCurves = true;
+  plot.leastRange = {0, 0.01};
+  plot.series = {{"simulated", {}, 3}, {"closed form", {}, 1.5}};
+  for (const MeasuredFigure* one : figures) {
+    const auto add = [&](std::size_t series, double value) {
+      if (!std::isfinite(value)) return;
+      plot.series[series].points.push_back({one->of.across,
+                                            value,
+                                            one->of.where + ": " + numberText(fourDigits(value)),
+                                            0,
+                                            {value, value}});
+    };
+    add(0, one->value);
+    add(1, one->of.closedForm);
+  }
+  if (plot.series[1].points.empty()) plot.series.pop_back();
+  if (plot.series[0].points.empty()) return;
+  plots.push_back({titles.name, titles.title, titles.caption,
+                   svgOf(plot, wide, "curves", titles.title) + legendOf(plot),
+                   pointsOf(figures, titles.column, "")});
+}
+
+/// Returns a map of the figures, whose places form a grid; its axes end half a cell beyond them.
+MapPlot mapOf(Figures figures) {
+  MapPlot plot;
+  std::ranges::stable_sort(
+      figures, {}, [](const MeasuredFigure* one) { return std::pair(one->of.up, one->of.across); });
+  std::vector<double> across, up;
+  for (const MeasuredFigure* one : figures) {
+    if (one->of.up == figures.front()->of.up) across.push_back(one->of.across);
+    if (up.empty() || up.back() != one->of.up) up.push_back(one->of.up);
+    plot.values.push_back(one->value);
+  }
+  plot.columns = int(across.size());
+  const auto ends = [](const std::vector<double>& places) {
+    const double half = (places.back() - places.front()) / (2 * double(places.size() - 1));
+    return std::array{places.front() - half, places.back() + half};
+  };
+  if (across.size() < 2 || up.size() < 2 || across.size() * up.size() != figures.size()) return {};
+  plot.across = ends(across);
+  plot.up = ends(up);
+  return plot;
+}
+
+/// Returns ticks at round depths on an axis of dioptres.
+std::vector<Tick> depthTicks(const std::array<double, 2>& dioptres, double distance) {
+  std::vector<Tick> ticks;
+  const double range = dioptres[1] - dioptres[0];
+  const auto add = [&](double z) {
+    if (z >= 0.999 * distance) return;
+    const double at = dioptresAt(z, distance);
+    if (at < dioptres[0] || at > dioptres[1] || std::ranges::any_of(ticks, [&](const Tick& tick) {
+          return std::abs(tick.value - at) < range / 12;
+        }))
+      return;
+    ticks.push_back(
+        {at, z == 0 ? "0" : (z < 0 ? "−" : "+") + numberText(fourDigits(std::abs(100 * z)))});
+  };
+  add(0);
+  for (const double decade : {0.1, 1.0, 0.01, 10.0, 0.001})
+    for (const double digit : {1.0, 2.0, 5.0, 3.0, 1.5})
+      for (const double sign : {-1.0, 1.0}) add(sign * digit * decade);
+  return ticks;
+}
+
+void addMtf(const Bench& bench, const std::vector<MeasuredFigure>& figures,
+            std::vector<MeasurePlot>& plots) {
+  const Figures all = chosen(figures, "mtf", "");
+  MapPlot plot = mapOf(all);
+  if (plot.columns == 0) return;
+  const double distance = bench.distance();
+  const std::size_t axis = mainAxis(bench);
+  plot.titleAcross = "depth in cm, even in dioptres of the eye; + in front of the panel";
+  plot.titleUp = "cycles per degree";
+  plot.unit = "contrast";
+  plot.contours = {0.5, 0.1};
+  plot.ticks = depthTicks(plot.across, distance);
+  // The eye's limits have their names above, those without an eye below.
+  const auto upright = [&](double dioptres, const std::string& name, bool isAbove) {
+    if (dioptres > plot.across[0] && dioptres < plot.across[1])
+      plot.lines.push_back(
+          {{dioptres, plot.up[isAbove ? 0 : 1]}, {dioptres, plot.up[isAbove ? 1 : 0]}, name});
+  };
+  if (bench.display().directions[axis] > 1) {
+    const double depth = bench.pitch(axis) / bench.step(axis);
+    upright(-depth / (distance * distance), "sharp from here", true);
+    upright(depth / (distance * distance), "to here", true);
+    if (depth < distance) upright(dioptresAt(depth, distance), "+p/s", false);
+    upright(dioptresAt(-depth, distance), "−p/s", false);
+  }
+  const double limit = distance * std::acos(-1) / 180 / (2 * bench.pitch(axis));
+  plot.lines.push_back({{plot.across[0], limit}, {plot.across[0], limit}, "hogels' limit 1/(2p)"});
+  plot.lines.push_back({{plot.across[0], limit}, {plot.across[1], limit}, ""});
+  plots.push_back({"mtf", "Contrast over depth and detail",
+                   "Gratings on planes, as the eye sees them; lines of contrast 0.5 and 0.1.",
+                   svgOf(plot, map, "Contrast over depth and cycles per degree"),
+                   pointsOf(all, "dioptres", "cycles_per_degree")});
+}
+
+void addZone(const Bench& bench, const std::vector<MeasuredFigure>& figures,
+             std::vector<MeasurePlot>& plots) {
+  const Figures all = chosen(figures, "viewingZone", "share");
+  MapPlot plot = mapOf(all);
+  if (plot.columns == 0) return;
+  plot.titleAcross = "x in m";
+  plot.titleUp = "distance from the panel in m";
+  plot.unit = "share";
+  plot.contours = {0.95};
+  const double half = bench.display().size[0] / 2;
+  plot.up[0] = 0;
+  plot.lines.push_back({{-half, 0}, {half, 0}, ""});
+  const Vec3& eye = bench.eye();
+  const double size = 0.02 * (plot.across[1] - plot.across[0]);
+  plot.lines.push_back({{eye.x - size, eye.z}, {eye.x + size, eye.z}, "eye"});
+  plots.push_back({"viewing_zone", "Viewing zone from above",
+                   "The share of the panel that sends light to an eye; the line is 0.95.",
+                   svgOf(plot, map, "Share of the panel seen, over the eye's place"),
+                   pointsOf(all, "x", "z")});
+}
+
+void addMatrix(const std::vector<MeasuredFigure>& figures, std::vector<MeasurePlot>& plots) {
+  const Figures all = chosen(figures, "crosstalkMatrix", "");
+  MapPlot plot = mapOf(all);
+  if (plot.columns == 0) return;
+  plot.titleAcross = "direction in which the eye is";
+  plot.titleUp = "direction that is lit";
+  plot.unit = "light";
+  constexpr PlotBox square{.width = 480, .height = 400, .top = 26};
+  plots.push_back({"crosstalk_matrix", "Crosstalk between directions",
+                   "Luminance, as a part of that in the lit direction.",
+                   svgOf(plot, square, "Light of each direction in its neighbours"),
+                   pointsOf(all, "seen", "lit")});
+}
+
+std::string number(double value) {
+  if (std::isnan(value)) return "–";
+  return std::isinf(value) ? "∞" : numberText(fourDigits(value));
+}
+
+/// Whether a figure belongs into the table: its name has few places.
+bool isInTable(const MeasuredFigure& one, const std::map<std::string, int>& counts) {
+  return counts.at(one.of.figure) <= 20 || one.of.where.starts_with("whole") ||
+         one.of.where.starts_with("full") || one.of.where == "x=" + numberText(0) + " m" ||
+         (one.of.figure == "crosstalk" && one.of.across == 0);
+}
+
+std::string tableOf(const std::vector<MeasuredFigure>& figures) {
+  std::map<std::string, int> counts;
+  for (const MeasuredFigure& one : figures) ++counts[one.of.figure];
+  const std::vector<std::string> heads{"figure", "where",       "value",
+                                       "unit",   "closed form", "difference"};
+  std::string text = "<div class=\"scroll\"><table class=\"sorts\"><thead><tr>";
+  for (const std::string& head : heads) text += "<th>" + head + "</th>";
+  text += "</tr></thead><tbody>\n";
+  std::vector<std::vector<std::string>> rows;
+  for (const MeasuredFigure& one : figures) {
+    if (!isInTable(one, counts)) continue;
+    rows.push_back({one.of.figure, one.of.where, number(one.value), one.of.unit,
+                    number(one.of.closedForm), number(one.difference())});
+    text += "<tr>";
+    for (std::size_t k = 0; k < rows.back().size(); ++k)
+      text += (k == 2 || k > 3 ? "<td class=\"n\">" : "<td>") + escaped(rows.back()[k]) + "</td>";
+    text += "</tr>\n";
+  }
+  return text + "</tbody></table></div>\n" + latexTable(heads, rows);
+}
+
+/// The largest difference of ratios to their closed forms.
+std::string agreementOf(const std::vector<MeasuredFigure>& figures) {
+  double most = 0;
+  int count = 0;
+  for (const MeasuredFigure& one : figures) {
+    if (one.of.figure != "mtf" || std::isnan(one.difference())) continue;
+    most = std::max(most, std::abs(one.difference()));
+    ++count;
+  }
+  if (count == 0) return {};
+  return "<p>Over " + std::to_string(count) +
+         " gratings, simulated contrast and its law differ by at most " +
+         numberText(fourDigits(most)) + ".</p>\n";
+}
+
+std::string facts(const MeasureRequest& request, const Bench& bench) {
+  const auto pair = [](const auto& values) {
+    return numberText(values[0]) + " × " + numberText(values[1]);
+  };
+  const PanelParams& display = request.display;
+  const Vec3& eye = bench.eye();
+  return "<p>" + pair(display.size) + " m, " + pair(display.hogels) + " hogels of " +
+         pair(display.directions) + " directions, field of view " + pair(display.fov) +
+         "°. Eye of the state “" + escaped(request.session.cameras.front().camera.name) + "” at (" +
+         number(eye.x) + ", " + number(eye.y) + ", " + number(eye.z) +
+         ") m of the panel; leakage " +
+         (bench.psf().windowSize > 1 ? "σ " + numberText(bench.psf().sigma) + " in " +
+                                           std::to_string(bench.psf().windowSize)
+                                     : std::string("none")) +
+         "; pupil " +
+         (bench.pupil().diameter > 0 ? numberText(1000 * bench.pupil().diameter) + " mm"
+                                     : std::string("none")) +
+         ". Luminance is relative.</p>\n";
+}
+
+}  // namespace
+
+std::vector<MeasurePlot> plotsOf(const Bench& bench, const std::vector<MeasuredFigure>& figures) {
+  std::vector<MeasurePlot> plots;
+  addMtf(bench, figures, plots);
+  addCurve(chosen(figures, "throughFocus", ""),
+           {"through_focus", "Contrast through focus",
+            "A grating behind the panel, over the distance at which the pupil is focused.",
+            "focus in dioptres, 1/m", "contrast", "dioptres"},
+           plots);
+  addZone(bench, figures, plots);
+  addCurve(
+      chosen(figures, "crosstalk", "x="),
+      {"crosstalk", "Crosstalk over the head's place",
+       "What the left eye sees of the right eye's picture, in linear light, as a part of its own "
+       "picture; 0 is the designated eye position.",
+       "head's place in m", "crosstalk", "x"},
+      plots);
+  addMatrix(figures, plots);
+  addCurve(chosen(figures, "angularProfile", "angle"),
+           {"angular_profile", "Light of one direction over angle",
+            "Luminance, as a part of that in the direction's middle.", "angle in °", "luminance",
+            "angle"},
+           plots);
+  addCurve(chosen(figures, "angularResolution", "contrast"),
+           {"angular_resolution", "Contrast over directions",
+            "Waves over directions, of so many directions a period.", "directions a period",
+            "contrast", "period"},
+           plots);
+  return plots;
+}
+
+void writePlots(const MeasureRequest& request, const Bench& bench,
+                const std::vector<MeasuredFigure>& figures) {
+  const std::filesystem::path folder = request.output / "plots";
+  makeFolder(folder);
+  for (const MeasurePlot& plot : plotsOf(bench, figures)) {
+    const std::string svg = plot.svg.substr(0, plot.svg.find("</svg>") + 6) + "\n";
+    writeTextFile(folder / (plot.name + ".svg"), svgFile(svg, columnWidth));
+    writeTextFile(folder / (plot.name + ".csv"), plot.csv);
+  }
+}
+
+std::string measurePage(const MeasureRequest& request, const Bench& bench,
+                        const std::vector<MeasuredFigure>& figures) {
+  std::string body = "<h1>The display of " + escaped(request.name) + "</h1>\n" +
+                     facts(request, bench) + agreementOf(figures) + tableOf(figures);
+  for (const MeasurePlot& plot : plotsOf(bench, figures))
+    body += "<h2>" + plot.title + "</h2>\n<figure>" + plot.svg + "<figcaption>" + plot.caption +
+            "</figcaption></figure>\n";
+  return pageOf("Hogelscope measures: " + request.name, body);
+}
+
+}  // namespace hogelscope

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The page and the plots of --measure.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "measure/measure_run.h"
+
+namespace hogelscope {
+
+/// A plot of some figures: as an SVG element for the page, and its points as CSV.
+struct MeasurePlot {
+  std::string name;  ///< of its files
+  std::string title;
+  std::string caption;
+  std::string svg;
+  std::string csv;
+};
+
+/// Returns the plots of all figures that have several places.
+std::vector<MeasurePlot> plotsOf(const Bench& bench, const std::vector<MeasuredFigure>& figures);
+
+/// Writes plots/NAME.svg and plots/NAME.csv of each plot. Throws InputError.
+void writePlots(const MeasureRequest& request, const Bench& bench,
+                const std::vector<MeasuredFigure>& figures);
+
+/// Returns measure.html.
+std::string measurePage(const MeasureRequest& request, const Bench& bench,
+                        const std::vector<MeasuredFigure>& figures);
+
+}  // namespace hogelscope

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "measure/measure_run.h"
+
+#include <cmath>
+
+#include "campaign/campaign.h"
+#include "core/base/parallel.h"
+#include "core/base/text.h"
+#include "core/base/version.h"
+#include "io/documents/session_file.h"
+#include "io/files/atomic_file.h"
+#include "io/files/content_hash.h"
+#include "io/scene/view_source.h"
+#include "measure/measure_page.h"
+
+namespace hogelscope {
+
+namespace {
+
+/// The text that identifies a run: what its figures depend on.
+std::string keyOf(const MeasureRequest& request) {
+  Session shown;
+  shown.display = request.display;
+  shown.lightField.viewingDistance = request.display.viewingDistance;
+  shown.depth = request.session.depth;
+  shown.cameras = {request.session.cameras.front()};
+  std::vector<std::filesystem::path> files;
+  for (const std::string& file : request.display.lensParams.files()) files.emplace_back(file);
+  return "measure " + std::string(programVersion()) + " " + contentHash(textOf(shown)) +
+         (files.empty() ? "" : " " + contentHash(files));
+}
+
+std::string cell(double value) {
+  return std::isnan(value) ? std::string() : numberText(value);
+}
+
+}  // namespace
+
+double MeasuredFigure::difference() const {
+  return value == of.closedForm ? 0 : value - of.closedForm;
+}
+
+PanelParams displayToMeasure(const Session& session, const Progress& progress) {
+  const PanelParams display = displayOf(session);
+  if (display.hogels[0] > 0 && display.directions[0] > 0) return display;
+  const auto file = openLightField(session.lightField, session.display, progress);
+  return resolved(display, file->size());
+}
+
+Bench benchOf(const Session& session, const PanelParams& display) {
+  return {display, session.cameras.front()};
+}
+
+std::vector<Measurement> measurementsOf(const Session& session, const Bench& bench) {
+  const StereoParams& stereo = session.cameras.front().stereo;
+  const double pupil = bench.pupil().diameter;
+  return allMeasurements(bench, stereo.ipd > 0 ? stereo.ipd : session.depth.ipd,
+                         pupil > 0 ? pupil : session.depth.pupil);
+}
+
+Measured measure(const MeasureRequest& request, const Progress& progress) {
+  const Bench bench = benchOf(request.session, request.display);
+  const std::vector<Measurement> all = measurementsOf(request.session, bench);
+  std::vector<Bench> benches(std::size_t(threadCount()), bench);
+  Campaign campaign = runCampaign(
+      {request.output, keyOf(request), all.size(), 1, request.shard}, threadCount(),
+      [&](std::size_t item, std::size_t worker, const Progress& hear) -> std::vector<double> {
+        throwIfCancelled(hear);
+        if (!all[item].simulate) return {std::numeric_limits<double>::quiet_NaN()};
+        return {all[item].simulate(benches[worker])};
+      },
+      progress);
+  Measured result{{}, campaign.taken, campaign.replacedAnother};
+  if (request.shard) return result;
+  for (std::size_t item = 0; item < all.size(); ++item)
+    result.figures.push_back(
+        {all[item], campaign.rows[item].values.front(), campaign.rows[item].problem});
+  if (request.output.empty()) return result;
+  writePlots(request, bench, result.figures);
+  writeTextFile(request.output / "measure.html", measurePage(request, bench, result.figures));
+  writeTextFile(request.output / "measure.csv", csv(result.figures));
+  campaign.journal->remove();
+  return result;
+}
+
+std::string csv(const std::vector<MeasuredFigure>& figures) {
+  std::string text = "figure,value,unit,where,closed_form,difference\n";
+  for (const MeasuredFigure& one : figures)
+    text += one.of.figure + "," + cell(one.value) + "," + one.of.unit + "," +
+            csvCell(one.of.where) + "," + cell(one.of.closedForm) + "," + cell(one.difference()) +
+            "\n";
+  return text;
+}
+
+}  // namespace hogelscope

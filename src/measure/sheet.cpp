@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The display's data sheet, counted along rays.
+#include <cmath>
+#include <numbers>
+
+#include "core/base/text.h"
+#include "measure/measurement.h"
+
+namespace hogelscope {
+
+namespace {
+
+double degrees(double radians) {
+  return radians * 180 / std::numbers::pi;
+}
+
+/// Returns how far a place can move, from `place` to `farther` where isSame() is false, before
+/// isSame() ends.
+template <class IsSame>
+double edgeOf(double place, double farther, const IsSame& isSame) {
+  for (int halving = 0; halving < 60; ++halving) {
+    const double middle = (place + farther) / 2;
+    (isSame(middle) ? place : farther) = middle;
+  }
+  return (place + farther) / 2;
+}
+
+/// Returns the width of the hogel in the panel's middle, along an axis.
+double pitchByRays(const Bench& bench, std::size_t axis) {
+  const Display panel(bench.display());
+  const auto hogelAt = [&](double place) {
+    const Vec3 eye = axis == 0 ? Vec3{place, 0, 1} : Vec3{0, place, 1};
+    const auto hit = panel.intersectPlane(eye, {0, 0, -1});
+    return std::floor(axis == 0 ? hit->i : hit->j);
+  };
+  const double middle = bench.middleHogel(axis);
+  const double hogel = hogelAt(middle);
+  const auto isSame = [&](double place) { return hogelAt(place) == hogel; };
+  const double far = bench.display().size[axis];
+  return edgeOf(middle, middle + far, isSame) - edgeOf(middle, middle - far, isSame);
+}
+
+/// Returns the slopes at the edges of the direction in the middle of the field, along an axis.
+std::array<double, 2> slopesByRays(const Bench& bench, std::size_t axis) {
+  const Display panel(bench.display());
+  const auto directionAt = [&](double slope) {
+    const Vec3 direction = axis == 0 ? Vec3{-slope, 0, -1} : Vec3{0, slope, -1};
+    const Vec3 eye = -1.0 * direction;  // looks at the panel's centre
+    const auto hit = panel.intersectPlane(eye, direction);
+    return axis == 0 ? hit->u : hit->v;
+  };
+  const double middle = std::floor(directionAt(0));
+  // In the middle of that direction, or of the one above where an even number meets at slope 0.
+  double inside = 0;
+  for (double by = 1e-6; std::abs(directionAt(inside) - middle - 0.5) > 0.45; by *= 1.3)
+    inside = by;
+  const auto isSame = [&](double slope) { return std::floor(directionAt(slope)) == middle; };
+  return {edgeOf(inside, -100, isSame), edgeOf(inside, 100, isSame)};
+}
+
+}  // namespace
+
+void addSheet(const Bench& bench, double pupil, std::vector<Measurement>& all) {
+  const PanelParams& display = bench.display();
+  for (const std::size_t axis : {0, 1}) {
+    const double step = bench.step(axis);
+    const double distance = bench.distance();
+    const double slope = std::tan(display.fov[axis] * std::numbers::pi / 360);
+    const bool hasForm = display.lens == HogelLensModel::rectilinear;
+    const double unknown = std::numeric_limits<double>::quiet_NaN();
+    all.push_back({"hogelPitch", "m", axisName(axis),
+                   [axis](Bench& b) { return pitchByRays(b, axis); },
+                   display.size[axis] / display.hogels[axis]});
+    all.push_back({"slopeStep", "", axisName(axis),
+                   [axis](Bench& b) {
+                     const auto [low, high] = slopesByRays(b, axis);
+                     return high - low;
+                   },
+                   hasForm ? 2 * slope / display.directions[axis] : unknown});
+    // An odd number has its middle direction on the axis; of an even one, two meet there.
+    const bool isOdd = display.directions[axis] % 2 == 1;
+    all.push_back({"degreesPerDirection", "°", axisName(axis),
+                   [axis](Bench& b) {
+                     const auto [low, high] = slopesByRays(b, axis);
+                     return degrees(std::atan(high) - std::atan(low));
+                   },
+                   !hasForm ? unknown
+                   : isOdd  ? degrees(2 * std::atan(step / 2))
+                            : degrees(std::atan(step))});
+    all.push_back({"directionsPerPupil", "", axisName(axis),
+                   [axis, pupil](Bench& b) {
+                     const auto [low, high] = slopesByRays(b, axis);
+                     return pupil / (b.distance() * (high - low));
+                   },
+                   hasForm ? pupil * display.directions[axis] / (distance * 2 * slope) : unknown});
+  }
+  const auto [nx, ny] = display.hogels;
+  const auto [du, dv] = display.directions;
+  const double pixels = double(nx) * ny * du * dv / 1e6;
+  all.push_back({"megapixels", "Mpx", "all hogels", [pixels](Bench&) { return pixels; }, pixels});
+}
+
+std::vector<Measurement> allMeasurements(const Bench& bench, double ipd, double pupil) {
+  std::vector<Measurement> all;
+  addSheet(bench, pupil, all);
+  addViewing(bench, ipd, all);
+  addLight(bench, all);
+  addDetail(bench, pupil, all);
+  return all;
+}
+
+}  // namespace hogelscope

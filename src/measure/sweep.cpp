@@ -1,0 +1,295 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "measure/sweep.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <map>
+
+#include "campaign/campaign.h"
+#include "campaign/file_hashes.h"
+#include "core/base/error.h"
+#include "core/base/parallel.h"
+#include "core/base/text.h"
+#include "core/base/version.h"
+#include "core/metrics/metric.h"
+#include "core/optics/eyes.h"
+#include "io/documents/session_file.h"
+#include "io/files/atomic_file.h"
+#include "io/files/content_hash.h"
+#include "io/scene/view_source.h"
+#include "measure/contrast.h"
+#include "measure/measure_run.h"
+#include "page/html.h"
+
+namespace hogelscope {
+
+namespace {
+
+constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+constexpr std::string_view mtfPrefix = "mtf:";
+constexpr const char* idealPsnr = "psnr:ideal";
+constexpr const char* designPsnr = "psnr:design";
+constexpr const char* milliseconds = "milliseconds";
+
+/// The figures of --measure that stand for a display with one value, the first of their rows that
+/// has the unit.
+const std::map<std::string, std::string>& singleFigures() {
+  static const std::map<std::string, std::string> units{{"hogelPitch", "m"},
+                                                        {"slopeStep", ""},
+                                                        {"degreesPerDirection", "°"},
+                                                        {"directionsPerPupil", ""},
+                                                        {"megapixels", "Mpx"},
+                                                        {"viewingZone", "m"},
+                                                        {"qualifiedViewingSpace", "m"},
+                                                        {"crosstalk", ""},
+                                                        {"angularProfile", "°"},
+                                                        {"angularResolution", "°"},
+                                                        {"spatialResolution", "1/mm"},
+                                                        {"uniformity", ""},
+                                                        {"contrast", ""},
+                                                        {"depthOfField", "m"},
+                                                        {"depthOfField50", "m"},
+                                                        {"depthOfField10", "m"},
+                                                        {"depthFront", "m"},
+                                                        {"depthBehind", "m"},
+                                                        {"parallaxStep", "m"},
+                                                        {"diffraction", ""}};
+  return units;
+}
+
+bool needsViews(const std::string& figure) {
+  return figure == idealPsnr || figure == designPsnr || figure == milliseconds;
+}
+
+/// The views of a session's states, both eyes of those that have two.
+class Views {
+ public:
+  Views(const Session& session, const Progress& progress)
+      : m_states(withEyes(session).cameras), m_source(loadViewSource(session, progress)) {}
+
+  [[nodiscard]] std::size_t count() const { return m_states.size(); }
+  [[nodiscard]] Image render(std::size_t state, bool isIdeal, const Progress& progress) {
+    RenderJob job = m_source.job(m_states[state]);
+    job.isIdeal = isIdeal;
+    return m_renderer.render(job, progress);
+  }
+
+ private:
+  std::vector<CameraState> m_states;
+  ViewSource m_source;
+  Renderer m_renderer;
+};
+
+double psnrOf(Views& test, Views& reference, bool isIdeal, const Progress& progress) {
+  const MetricSet metrics;
+  double sum = 0;
+  int count = 0;
+  for (std::size_t state = 0; state < test.count(); ++state) {
+    const Image expected = reference.render(state, isIdeal, progress);
+    const Image shown = test.render(state, false, progress);
+    if (expected.width != shown.width || expected.height != shown.height)
+      throw InputError(designPsnr, "the design's pictures have another size");
+    const double mse = metrics.compare(expected, shown, parallelRows, progress)[mseSeenColumn];
+    if (std::isnan(mse)) continue;
+    sum += mse;
+    ++count;
+  }
+  return count == 0 ? unknown : 10 * std::log10(255.0 * 255 * count / sum);
+}
+
+double millisecondsOf(Views& views, const Progress& progress) {
+  constexpr int runs = 5;
+  std::vector<double> times;
+  for (int run = 0; run <= runs; ++run) {
+    const auto start = std::chrono::steady_clock::now();
+    (void)views.render(0, false, progress);
+    const std::chrono::duration<double, std::milli> taken =
+        std::chrono::steady_clock::now() - start;
+    if (run > 0) times.push_back(taken.count());  // the first one fills caches
+  }
+  std::ranges::sort(times);
+  return times[runs / 2];
+}
+
+/// Measures the figures of one design.
+class DesignFigures {
+ public:
+  /// `own` keeps the views of the session itself for all designs.
+  DesignFigures(const SweepRequest& request, const Session& session, std::optional<Views>& own,
+                const Progress& progress)
+      : m_request(request),
+        m_session(session),
+        m_own(own),
+        m_progress(progress),
+        m_bench(benchOf(session, displayToMeasure(session, progress))) {}
+
+  double of(const std::string& figure) {
+    throwIfCancelled(m_progress);
+    if (figure.starts_with(mtfPrefix)) {
+      const std::size_t axis = mainAxis(m_bench);
+      const double z = *numberOf(std::string_view(figure).substr(mtfPrefix.size()));
+      if (z >= m_bench.distance()) return unknown;
+      return contrast(m_bench, {1 / (2 * m_bench.pitch(axis)), z}, axis);
+    }
+    if (!needsViews(figure)) return measured(figure);
+    if (!m_views) m_views.emplace(m_session, m_progress);
+    if (figure == milliseconds) return millisecondsOf(*m_views, m_progress);
+    if (figure == idealPsnr) return psnrOf(*m_views, *m_views, true, m_progress);
+    if (!m_own) m_own.emplace(m_request.session, m_progress);
+    return psnrOf(*m_views, *m_own, false, m_progress);
+  }
+
+ private:
+  double measured(const std::string& figure) {
+    if (m_all.empty()) m_all = measurementsOf(m_session, m_bench);
+    const std::string& unit = singleFigures().at(figure);
+    for (const Measurement& one : m_all)
+      if (one.figure == figure && one.unit == unit)
+        return one.simulate ? one.simulate(m_bench) : one.closedForm;
+    return unknown;
+  }
+
+  const SweepRequest& m_request;
+  const Session& m_session;
+  std::optional<Views>& m_own;
+  const Progress& m_progress;
+  Bench m_bench;
+  std::vector<Measurement> m_all;
+  std::optional<Views> m_views;
+};
+
+std::string keyOf(const SweepRequest& request, const Progress& progress) {
+  std::string text = textOf(request.session);
+  for (const Design& design : designsOf(request.table))
+    for (const std::string& one : overridesOf(request.table, design)) text += "\n" + one;
+  for (const std::string& figure : request.table.figures) text += "\n" + figure;
+  std::vector<std::filesystem::path> files;
+  for (const std::string& file : request.session.display.lensParams.files())
+    files.emplace_back(file);
+  if (std::ranges::any_of(request.table.figures, needsViews)) {
+    const auto light =
+        openLightField(request.session.lightField, request.session.display, progress);
+    for (const std::filesystem::path& file : light->files()) files.push_back(file);
+  }
+  std::string hash;
+  if (!files.empty() && !request.output.empty()) {
+    makeFolder(request.output);
+    hash = FileHashes(request.output).of(files, progress);
+  }
+  return "sweep " + std::string(programVersion()) + " " + contentHash(text) + " " + hash;
+}
+
+/// Throws InputError if the parameters are not those of a session, before any work.
+void checkParameters(const SweepRequest& request, const Design& design) {
+  try {
+    (void)overridden(request.session, overridesOf(request.table, design));
+  } catch (const InputError& error) {
+    throw InputError("parameters", error.what());
+  }
+}
+
+}  // namespace
+
+void checkFigures(const SweepTable& table, const Session& session) {
+  std::vector<std::string_view> names{"mtf:0", idealPsnr, designPsnr, milliseconds};
+  for (const auto& [name, unit] : singleFigures()) names.push_back(name);
+  for (const std::string& figure : table.figures) {
+    if (figure == idealPsnr) requireLive(session);
+    const bool isMtf = figure.starts_with(mtfPrefix) &&
+                       numberOf(std::string_view(figure).substr(mtfPrefix.size())).has_value();
+    if (isMtf || std::ranges::find(names, figure) != names.end()) continue;
+    const std::string_view nearest = nearestName(figure, names);
+    std::string known;
+    for (const std::string_view name : names)
+      known += (known.empty() ? "" : ", ") + std::string(name);
+    throw InputError(
+        "figures",
+        "\"" + figure + "\" is none of " + known +
+            (nearest.empty() ? std::string() : "; did you mean \"" + std::string(nearest) + "\"?"));
+  }
+}
+
+void markPareto(const SweepTable& table, std::vector<SweepRow>& rows) {
+  std::vector<std::pair<std::size_t, int>> goals;
+  for (const auto& [figure, goal] : table.pareto)
+    goals.emplace_back(
+        std::size_t(std::ranges::find(table.figures, figure) - table.figures.begin()), goal);
+  const auto isBeaten = [&](const SweepRow& a, const SweepRow& by) {
+    bool isBetter = false;
+    for (const auto& [figure, goal] : goals) {
+      const double own = goal * a.figures[figure];
+      const double other = goal * by.figures[figure];
+      if (std::isnan(other) || other < own) return false;
+      isBetter = isBetter || other > own;
+    }
+    return isBetter;
+  };
+  for (SweepRow& row : rows) {
+    const bool isKnown = std::ranges::none_of(
+        goals, [&row](const auto& goal) { return std::isnan(row.figures[goal.first]); });
+    row.isPareto = !goals.empty() && isKnown && std::ranges::none_of(rows, [&](const SweepRow& by) {
+      return isBeaten(row, by);
+    });
+  }
+}
+
+Sweep sweep(const SweepRequest& request, const Progress& progress) {
+  checkFigures(request.table, request.session);
+  const std::vector<Design> designs = designsOf(request.table);
+  checkParameters(request, designs.front());
+  // Views use all threads themselves; a time is that of a view alone.
+  const bool hasViews = std::ranges::any_of(request.table.figures, needsViews);
+  std::optional<Views> own;
+  Campaign campaign = runCampaign(
+      {request.output, keyOf(request, part(progress, 0, 0.02)), designs.size(),
+       request.table.figures.size(), request.shard},
+      hasViews ? 1 : threadCount(),
+      [&](std::size_t item, std::size_t, const Progress& hear) {
+        const Session session =
+            overridden(request.session, overridesOf(request.table, designs[item]));
+        DesignFigures figures(request, session, own, hear);
+        std::vector<double> values;
+        for (const std::string& figure : request.table.figures)
+          values.push_back(figures.of(figure));
+        return values;
+      },
+      part(progress, 0.02, 1));
+  Sweep result{{}, campaign.taken, campaign.replacedAnother};
+  if (request.shard) return result;
+  for (std::size_t item = 0; item < designs.size(); ++item)
+    result.rows.push_back(
+        {designs[item], campaign.rows[item].values, false, campaign.rows[item].problem});
+  markPareto(request.table, result.rows);
+  if (request.output.empty()) return result;
+  const std::filesystem::path plots = request.output / "plots";
+  makeFolder(plots);
+  const std::string points = csv(request.table, result.rows);
+  for (const auto& [name, svg] : sweepPlots(request.table, result.rows)) {
+    constexpr double twoColumns = 178;  // of a paper, mm
+    writeTextFile(plots / (name + ".svg"), svgFile(svg, twoColumns));
+    writeTextFile(plots / (name + ".csv"), points);
+  }
+  writeTextFile(request.output / "sweep.html", sweepPage(request, result.rows));
+  writeTextFile(request.output / "sweep.csv", points);
+  campaign.journal->remove();
+  return result;
+}
+
+std::string csv(const SweepTable& table, const std::vector<SweepRow>& rows) {
+  std::string text = "design";
+  for (const SweepParameter& parameter : table.parameters) text += "," + csvCell(parameter.name);
+  for (const std::string& figure : table.figures) text += "," + csvCell(figure);
+  text += ",pareto,problem\n";
+  int number = 0;
+  for (const SweepRow& row : rows) {
+    text += std::to_string(++number);
+    for (const std::string& value : row.design) text += "," + csvCell(value);
+    for (const double value : row.figures)
+      text += "," + (std::isnan(value) ? std::string() : numberText(value));
+    text += std::string(",") + (row.isPareto ? "1" : "0") + "," + csvCell(row.problem) + "\n";
+  }
+  return text;
+}
+
+}  // namespace hogelscope

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// --sweep: figures of many designs of a display.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/base/shard.h"
+#include "core/optics/session.h"
+#include "measure/sweep_table.h"
+
+namespace hogelscope {
+
+struct SweepRequest {
+  std::string name;  ///< of the session, for the page
+  Session session;
+  SweepTable table;
+  std::filesystem::path output;  ///< "": nothing is written
+  std::optional<Shard> shard;
+};
+
+/// A design's figures.
+struct SweepRow {
+  Design design;
+  std::vector<double> figures;  ///< in the table's order; NaN if it cannot be measured
+  bool isPareto = false;
+  std::string problem;
+};
+
+struct Sweep {
+  std::vector<SweepRow> rows;
+  std::size_t taken = 0;
+  bool replacedAnother = false;
+};
+
+/// Throws InputError unless all figures of the table are known: those of --measure that have one
+/// value, "mtf:Z" (contrast of a grating of half the hogels' frequency limit 1/p on the plane Z in
+/// metres), "psnr:ideal", "psnr:design" (dB of the mean squared error over all states, of the
+/// pixels seen, against the ideal views or the session's own) and "milliseconds" of the first
+/// state's view.
+void checkFigures(const SweepTable& table, const Session& session);
+
+/// Measures all designs, and writes sweep.csv, sweep.html and plots; for a shard only its part.
+/// After a stop the same request goes on where it was. Throws InputError, Cancelled.
+Sweep sweep(const SweepRequest& request, const Progress& progress);
+
+/// Marks the rows that no other one beats: none is at least as good in all goals and better in one.
+void markPareto(const SweepTable& table, std::vector<SweepRow>& rows);
+
+/// Returns "sweep.csv".
+std::string csv(const SweepTable& table, const std::vector<SweepRow>& rows);
+
+/// Returns "sweep.html", and its plots as (name, SVG).
+std::string sweepPage(const SweepRequest& request, const std::vector<SweepRow>& rows);
+std::vector<std::pair<std::string, std::string>> sweepPlots(const SweepTable& table,
+                                                            const std::vector<SweepRow>& rows);
+
+}  // namespace hogelscope

@@ -1,0 +1,234 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The page of a sweep: parallel coordinates, a matrix of scatter plots, the table.
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/axis.h"
+#include "core/base/colour_map.h"
+#include "core/base/text.h"
+#include "measure/sweep.h"
+#include "page/html.h"
+#include "page/plot.h"
+
+namespace hogelscope {
+
+namespace {
+
+constexpr const char* front = "#c2410c";  ///< of the Pareto front
+constexpr const char* others = "#0072b2";
+
+/// A parameter or a figure: its name and its value in each row.
+struct Column {
+  std::string name;
+  std::vector<double> values;      ///< NaN if unknown
+  std::vector<std::string> texts;  ///< of values that are not numbers, by their numbers
+  double low = 0;
+  double high = 1;
+
+  [[nodiscard]] bool isConstant() const { return !(high > low); }
+};
+
+/// Finds the range of finite values.
+void findRange(Column& column) {
+  column.low = std::numeric_limits<double>::infinity();
+  column.high = -column.low;
+  for (const double value : column.values) {
+    if (!std::isfinite(value)) continue;
+    column.low = std::min(column.low, value);
+    column.high = std::max(column.high, value);
+  }
+  if (!(column.low <= column.high)) column.low = column.high = 0;
+}
+
+std::vector<Column> columnsOf(const SweepTable& table, const std::vector<SweepRow>& rows) {
+  std::vector<Column> columns;
+  for (std::size_t p = 0; p < table.parameters.size(); ++p) {
+    Column column{table.parameters[p].name, {}, {}};
+    const bool areNumbers = std::ranges::all_of(
+        rows, [p](const SweepRow& row) { return numberOf(row.design[p]).has_value(); });
+    for (const SweepRow& row : rows) {
+      const std::string& text = row.design[p];
+      auto known = std::ranges::find(column.texts, text);
+      if (!areNumbers && known == column.texts.end())
+        known = column.texts.insert(column.texts.end(), text);
+      column.values.push_back(areNumbers ? *numberOf(text) : double(known - column.texts.begin()));
+    }
+    findRange(column);
+    columns.push_back(std::move(column));
+  }
+  for (std::size_t f = 0; f < table.figures.size(); ++f) {
+    Column column{table.figures[f], {}, {}};
+    for (const SweepRow& row : rows) column.values.push_back(row.figures[f]);
+    findRange(column);
+    columns.push_back(std::move(column));
+  }
+  return columns;
+}
+
+std::string colourOf(const SweepRow& row) {
+  return row.isPareto ? front : others;
+}
+
+/// Rows in the order in which they are drawn: the front on top.
+std::vector<std::size_t> drawingOrder(const std::vector<SweepRow>& rows) {
+  std::vector<std::size_t> order;
+  for (const bool isFront : {false, true})
+    for (std::size_t k = 0; k < rows.size(); ++k)
+      if (rows[k].isPareto == isFront) order.push_back(k);
+  return order;
+}
+
+std::string titleOf(const std::vector<Column>& columns, std::size_t row) {
+  std::string text = "design " + std::to_string(row + 1);
+  for (const Column& column : columns)
+    text += "\n" + column.name + ": " +
+            (column.texts.empty() ? numberText(fourDigits(column.values[row]))
+                                  : column.texts[std::size_t(column.values[row])]);
+  return "<title>" + escaped(text) + "</title>";
+}
+
+constexpr double parallelHeight = 300;
+
+std::string parallelPlot(const std::vector<Column>& columns, const std::vector<SweepRow>& rows) {
+  constexpr double left = 50, top = 44, below = 22, step = 118;
+  const double bottom = parallelHeight - below;
+  const double width = 2 * left + step * double(columns.size() - 1);
+  const auto axisOf = [&](const Column& column) {
+    return Axis{column.isConstant() ? column.low - 0.5 : column.low,
+                column.isConstant() ? column.low + 0.5 : column.high, bottom, top};
+  };
+  std::string text = "<svg class=\"wide brushed\" viewBox=\"0 0 " + numberText(width) + " " +
+                     numberText(parallelHeight) +
+                     "\" role=\"img\" aria-label=\"Designs over parameters and figures\">\n";
+  for (const std::size_t row : drawingOrder(rows)) {
+    std::string points;
+    for (std::size_t c = 0; c < columns.size(); ++c) {
+      const double value = columns[c].values[row];
+      if (!std::isfinite(value)) continue;
+      points += (points.empty() ? "" : " ") + coordinate(left + step * double(c)) + "," +
+                coordinate(axisOf(columns[c]).at(value));
+    }
+    text += "<polyline data-row=\"" + std::to_string(row) + "\" points=\"" + points +
+            "\" fill=\"none\" stroke=\"" + colourOf(rows[row]) + "\" stroke-width=\"" +
+            (rows[row].isPareto ? "1.8" : "1") + "\" stroke-opacity=\".7\">" +
+            titleOf(columns, row) + "</polyline>\n";
+  }
+  for (std::size_t c = 0; c < columns.size(); ++c) {
+    const double x = left + step * double(c);
+    const Axis axis = axisOf(columns[c]);
+    text += "<line x1=\"" + coordinate(x) + "\" y1=\"" + coordinate(top) + "\" x2=\"" +
+            coordinate(x) + "\" y2=\"" + coordinate(bottom) + "\" stroke=\"#111\"/>";
+    text += svgText(x, c % 2 == 0 ? 14 : 30, "middle", columns[c].name);
+    if (columns[c].texts.empty()) {
+      for (const Tick& tick : linearTicks(axis, 5))
+        text += svgText(x + 5, axis.at(tick.value) + 4, "start", tick.text);
+    } else {
+      for (std::size_t k = 0; k < columns[c].texts.size(); ++k)
+        text += svgText(x + 5, axis.at(double(k)) + 4, "start", columns[c].texts[k]);
+    }
+    text += "<rect class=\"brush\" data-column=\"" + std::to_string(c) + "\" x=\"" +
+            coordinate(x - 12) + "\" y=\"" + coordinate(top) + "\" width=\"24\" height=\"" +
+            coordinate(bottom - top) + "\" fill=\"#000\" fill-opacity=\"0\"/>\n";
+  }
+  return text + "</svg>\n";
+}
+
+std::string scatterPlot(const std::vector<Column>& all, const std::vector<SweepRow>& rows) {
+  std::vector<Column> columns;
+  for (const Column& column : all)
+    if (!column.isConstant()) columns.push_back(column);
+  constexpr double side = 110, gap = 12, left = 66, below = 34;
+  const auto count = double(columns.size());
+  const double width = left + count * (side + gap);
+  const double height = count * (side + gap) + below;
+  std::string text = "<svg class=\"wide\" viewBox=\"0 0 " + numberText(width) + " " +
+                     numberText(height) +
+                     "\" role=\"img\" aria-label=\"Each pair of parameters and figures\">\n";
+  for (std::size_t j = 0; j < columns.size(); ++j)
+    for (std::size_t i = 0; i < columns.size(); ++i) {
+      const double x = left + double(i) * (side + gap);
+      const double y = double(j) * (side + gap);
+      text += "<rect x=\"" + coordinate(x) + "\" y=\"" + coordinate(y) + "\" width=\"" +
+              coordinate(side) + "\" height=\"" + coordinate(side) + "\" class=\"frame\"/>";
+      if (i == j) {
+        text += svgText(x + side / 2, y + side / 2, "middle", columns[i].name);
+        continue;
+      }
+      const Axis across{columns[i].low, columns[i].high, x + 5, x + side - 5};
+      const Axis up{columns[j].low, columns[j].high, y + side - 5, y + 5};
+      for (const std::size_t row : drawingOrder(rows)) {
+        const double a = columns[i].values[row];
+        const double b = columns[j].values[row];
+        if (!std::isfinite(a) || !std::isfinite(b)) continue;
+        text += "<circle data-row=\"" + std::to_string(row) + "\" cx=\"" +
+                coordinate(across.at(a)) + "\" cy=\"" + coordinate(up.at(b)) + "\" r=\"" +
+                (rows[row].isPareto ? "3" : "2") + "\" fill=\"" + colourOf(rows[row]) +
+                "\" fill-opacity=\".7\"/>";
+      }
+      if (j + 1 == columns.size() && columns[i].texts.empty())
+        for (const Tick& tick : linearTicks(across, 3))
+          text += svgText(across.at(tick.value), y + side + 15, "middle", tick.text);
+      if (i == 0 && columns[j].texts.empty())
+        for (const Tick& tick : linearTicks(up, 3))
+          text += svgText(left - 5, up.at(tick.value) + 4, "end", tick.text);
+      text += "\n";
+    }
+  return text + "</svg>\n";
+}
+
+std::string cell(double value) {
+  if (std::isnan(value)) return "–";
+  return std::isinf(value) ? "∞" : numberText(fourDigits(value));
+}
+
+std::string tableOf(const SweepTable& table, const std::vector<SweepRow>& rows) {
+  std::vector<std::string> heads{"design"};
+  for (const SweepParameter& parameter : table.parameters) heads.push_back(parameter.name);
+  heads.insert(heads.end(), table.figures.begin(), table.figures.end());
+  if (!table.pareto.empty()) heads.emplace_back("Pareto");
+  std::string text = "<div class=\"scroll\"><table class=\"sorts\"><thead><tr>";
+  for (const std::string& head : heads) text += "<th class=\"n\">" + escaped(head) + "</th>";
+  text += "</tr></thead><tbody>\n";
+  std::vector<std::vector<std::string>> best;
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    std::vector<std::string> cells{std::to_string(k + 1)};
+    cells.insert(cells.end(), rows[k].design.begin(), rows[k].design.end());
+    for (const double value : rows[k].figures) cells.push_back(cell(value));
+    if (!table.pareto.empty()) cells.emplace_back(rows[k].isPareto ? "yes" : "");
+    text += "<tr>";
+    for (const std::string& one : cells) text += "<td class=\"n\">" + escaped(one) + "</td>";
+    if (!rows[k].problem.empty())
+      text += "<td class=\"problem\">" + escaped(rows[k].problem) + "</td>";
+    text += "</tr>\n";
+    if (rows[k].isPareto || table.pareto.empty()) best.push_back(std::move(cells));
+  }
+  return text + "</tbody></table></div>\n" + latexTable(heads, best);
+}
+
+}  // namespace
+
+std::vector<std::pair<std::string, std::string>> sweepPlots(const SweepTable& table,
+                                                            const std::vector<SweepRow>& rows) {
+  const std::vector<Column> columns = columnsOf(table, rows);
+  return {{"parallel", parallelPlot(columns, rows)}, {"scatter", scatterPlot(columns, rows)}};
+}
+
+std::string sweepPage(const SweepRequest& request, const std::vector<SweepRow>& rows) {
+  const auto plots = sweepPlots(request.table, rows);
+  const auto best = std::ranges::count_if(rows, &SweepRow::isPareto);
+  std::string body =
+      "<h1>Designs of " + escaped(request.name) + "</h1>\n<p>" + std::to_string(rows.size()) +
+      (request.table.sampling == SweepSampling::grid ? " designs of a grid"
+                                                     : " designs of a Latin hypercube");
+  if (!request.table.pareto.empty())
+    body += "; no other design beats " + std::to_string(best) + " of them, drawn in red";
+  return pageOf("Hogelscope sweep: " + request.name,
+                body +
+                    ".</p>\n<h2>Parallel coordinates</h2>\n<p>Each line is a design. Drag along "
+                    "an axis to keep a range of it; click on the axis to take it back.</p>\n" +
+                    "<figure>" + plots[0].second + "</figure>\n<h2>Pairs</h2>\n<figure>" +
+                    plots[1].second + "</figure>\n<h2>Designs</h2>\n" +
+                    tableOf(request.table, rows));
+}
+
+}  // namespace hogelscope
