@@ -16,9 +16,17 @@ namespace {
 
 const QColor inFront(0xd1495b);
 const QColor behind(0x2e6f9e);
-const QColor comfortable(0xcfe7d8);
-const QColor sharp(0xe8f3ec);
-const QColor limitText(0x4a6b57);
+const QColor good(0x3ba56f);
+
+/// Returns a colour over the chart's ground.
+QColor over(const ChartColours& colours, const QColor& colour, double share) {
+  const auto mixed = [share](int ground, int top) {
+    return int(std::lround(ground + share * (top - ground)));
+  };
+  const QColor& ground = colours.background;
+  return {mixed(ground.red(), colour.red()), mixed(ground.green(), colour.green()),
+          mixed(ground.blue(), colour.blue())};
+}
 
 constexpr double rowHeight = 272;
 constexpr double headerHeight = 72;
@@ -135,8 +143,8 @@ void paintDepths(QPainter& painter, const QRectF& area, const DepthHistogram& de
                             QPointF(axes.x(limit), axes.area.bottom())),
                      colour);
   };
-  span(std::max(limits.display, limits.comfort), sharp);
-  span(limits.both(), comfortable);
+  span(std::max(limits.display, limits.comfort), over(colours, good, 0.11));
+  span(limits.both(), over(colours, good, 0.25));
   paintBars(painter, axes, depths, colours);
   painter.setPen(colours.text);
   painter.drawLine(axes.area.bottomLeft(), axes.area.bottomRight());
@@ -144,7 +152,7 @@ void paintDepths(QPainter& painter, const QRectF& area, const DepthHistogram& de
   painter.setRenderHint(QPainter::Antialiasing, true);
   painter.drawText(QRectF(axes.area.topLeft(), QPointF(axes.x(0) - 5, axes.area.top() + 16)),
                    Qt::AlignRight, "panel");
-  painter.setPen(limitText);
+  painter.setPen(over(colours, good, 0.8));
   const auto name = [&](double limit, int line, const QString& text) {
     if (limit >= axes.end) return;
     const double width = painter.fontMetrics().horizontalAdvance(text);

@@ -24,32 +24,6 @@ DepthParams paramsOf(DepthParams params, const CameraState& state) {
   return params;
 }
 
-StatesDepths depthsOfStates(const Session& session, const ViewSource& source,
-                            const Progress& progress) {
-  StatesDepths result;
-  Renderer renderer;
-  const double count = double(session.cameras.size()) + 1;
-  for (const CameraState& state : session.cameras) {
-    const double done = double(result.states.size());
-    const double distance = distanceOf(state, source.display);
-    if (!(distance > 0))
-      throw InputError(state.camera.name, "its eye is not in front of the panel");
-    PixelDepths depths = depthsOf(source.job(state), renderer.tables(),
-                                  part(progress, done / count, (done + 1) / count));
-    const DepthParams ofState = paramsOf(session.depth, state);
-    result.states.push_back(depthFigures(state.camera.name, depths,
-                                         depthLimits(source.display, distance, ofState),
-                                         session.depth.share));
-    if (done == 0) result.first = std::move(depths);
-  }
-  RenderJob job = source.job(session.cameras.front());
-  job.isIdeal = session.lightField.isLive();
-  job.state.psf = {};
-  job.state.pupil = {};
-  result.picture = renderer.render(job, part(progress, 1 - 1 / count, 1));
-  return result;
-}
-
 /// Moves a live scene's content. Returns false if it has no place or no scale.
 bool moveContent(LightFieldParams& lightField, const DepthFit& fit) {
   ContentParams& content = lightField.content;
@@ -77,34 +51,6 @@ void shearViews(LightFieldParams& lightField, const PanelParams& display,
   const auto front = disparityOf(interval[1], display, middle);
   for (const std::size_t axis : {0, 1})
     if (display.directions[axis] > 1) lightField.shear[axis] -= (back[axis] + front[axis]) / 2;
-}
-
-/// Returns the proposed session, or says why there is none.
-std::optional<DepthProposal> proposed(const Session& session, const PanelParams& display,
-                                      const DepthFigures& figures, std::string& obstacle) {
-  const DepthLimits& limits = figures.limits;
-  const std::array<double, 2> interval{depthAt(figures.interval[0], limits.distance),
-                                       depthAt(figures.interval[1], limits.distance)};
-  const DepthRange range = limits.inMetres(limits.both());
-  DepthProposal proposal{
-      session, fitDepths(interval[0], interval[1], range.behind, range.front), {}};
-  LightFieldParams& lightField = proposal.session.lightField;
-  const bool endsAtInfinity = std::isinf(interval[0]);
-  if (isGridOfViews(lightField.layout)) {
-    if (endsAtInfinity && display.viewingDistance == notGiven) {
-      obstacle = "content lies infinitely far behind the panel";
-      return {};
-    }
-    if (proposal.fit.scale < 1 || proposal.fit.zero != 0) shearViews(lightField, display, interval);
-    return proposal;
-  }
-  if (lightField.isLive() && !endsAtInfinity && moveContent(lightField, proposal.fit))
-    return proposal;
-  obstacle = endsAtInfinity ? "content lies infinitely far behind the panel"
-             : lightField.isLive()
-                 ? "lightField.source \"" + lightField.source + "\" has no position and scale"
-                 : "content of this layout cannot be moved: views and mosaic have lightField.shear";
-  return {};
 }
 
 Json jsonOf(const DepthRange& range) {
@@ -150,6 +96,60 @@ Json placeOf(const LightFieldParams& lightField) {
 
 }  // namespace
 
+StatesDepths depthsOfStates(const Session& session, const ViewSource& source,
+                            const Progress& progress) {
+  StatesDepths result;
+  Renderer renderer;
+  const double count = double(session.cameras.size()) + 1;
+  for (const CameraState& state : session.cameras) {
+    const double done = double(result.states.size());
+    const double distance = distanceOf(state, source.display);
+    if (!(distance > 0))
+      throw InputError(state.camera.name, "its eye is not in front of the panel");
+    PixelDepths depths = depthsOf(source.job(state), renderer.tables(),
+                                  part(progress, done / count, (done + 1) / count));
+    const DepthParams ofState = paramsOf(session.depth, state);
+    result.states.push_back(depthFigures(state.camera.name, depths,
+                                         depthLimits(source.display, distance, ofState),
+                                         session.depth.share));
+    if (done == 0) result.first = std::move(depths);
+  }
+  RenderJob job = source.job(session.cameras.front());
+  job.isIdeal = session.lightField.isLive();
+  job.state.psf = {};
+  job.state.pupil = {};
+  result.picture = renderer.render(job, part(progress, 1 - 1 / count, 1));
+  return result;
+}
+
+std::optional<DepthProposal> proposedFit(const Session& session, const PanelParams& display,
+                                         const DepthFigures& figures, std::string& obstacle) {
+  const DepthLimits& limits = figures.limits;
+  const std::array<double, 2> interval{depthAt(figures.interval[0], limits.distance),
+                                       depthAt(figures.interval[1], limits.distance)};
+  const DepthRange range = limits.inMetres(limits.both());
+  DepthProposal proposal{
+      session, fitDepths(interval[0], interval[1], range.behind, range.front), {}};
+  if (figures.inside >= session.depth.share) proposal.fit = {};  // the content fits
+  LightFieldParams& lightField = proposal.session.lightField;
+  const bool endsAtInfinity = std::isinf(interval[0]);
+  if (isGridOfViews(lightField.layout)) {
+    if (endsAtInfinity && display.viewingDistance == notGiven) {
+      obstacle = "content lies infinitely far behind the panel";
+      return {};
+    }
+    if (proposal.fit.scale < 1 || proposal.fit.zero != 0) shearViews(lightField, display, interval);
+    return proposal;
+  }
+  if (lightField.isLive() && !endsAtInfinity && moveContent(lightField, proposal.fit))
+    return proposal;
+  obstacle = endsAtInfinity ? "content lies infinitely far behind the panel"
+             : lightField.isLive()
+                 ? "lightField.source \"" + lightField.source + "\" has no position and scale"
+                 : "content of this layout cannot be moved: views and mosaic have lightField.shear";
+  return {};
+}
+
 DepthBudget measureDepths(const Session& session, LightFieldFile& file, const SourceUse& use,
                           const Progress& progress) {
   DepthBudget budget;
@@ -157,7 +157,7 @@ DepthBudget measureDepths(const Session& session, LightFieldFile& file, const So
   budget.now = depthsOfStates(session, source, part(progress, 0.2, 0.6));
   const DepthFigures& first = budget.now.states.front();
   if (first.dioptres.empty()) throw InputError(first.state, "sees no content whose depth is known");
-  budget.proposal = proposed(session, source.display, first, budget.obstacle);
+  budget.proposal = proposedFit(session, source.display, first, budget.obstacle);
   if (!budget.proposal) return budget;
   const Session& moved = budget.proposal->session;
   const ViewSource movedSource =

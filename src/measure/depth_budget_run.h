@@ -34,6 +34,17 @@ struct DepthBudget {
   std::string obstacle;  ///< why there is no proposal
 };
 
+/// Returns the depths of all states, and the first one's picture. Throws InputError (an eye is not
+/// in front of the panel; as depthsOf()), Cancelled.
+StatesDepths depthsOfStates(const Session& session, const ViewSource& source,
+                            const Progress& progress);
+
+/// Returns the session itself if the content fits, or else the one that would show a state's
+/// content within its limits, without depths; or says in `obstacle` why there is none. `display` is
+/// resolved.
+std::optional<DepthProposal> proposedFit(const Session& session, const PanelParams& display,
+                                         const DepthFigures& figures, std::string& obstacle);
+
 /// Measures a session, whose light field `file` is. Limits, interval and proposal are those of the
 /// first state: the content is scaled and shifted in depth until the shortest interval that holds
 /// `depth.share` of its pixels lies within the lesser limit (docs/formulas.md, Depth budget).

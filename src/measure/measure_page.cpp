@@ -125,11 +125,11 @@ std::vector<Tick> depthTicks(const std::array<double, 2>& dioptres, double dista
   return ticks;
 }
 
-void addMtf(const Bench& bench, const std::vector<MeasuredFigure>& figures,
-            std::vector<MeasurePlot>& plots) {
-  const Figures all = chosen(figures, "mtf", "");
-  MapPlot plot = mapOf(all);
-  if (plot.columns == 0) return;
+}  // namespace
+
+MapPlot mtfMap(const Bench& bench, const std::vector<MeasuredFigure>& figures) {
+  MapPlot plot = mapOf(chosen(figures, "mtf", ""));
+  if (plot.columns == 0) return plot;
   const double distance = bench.distance();
   const std::size_t axis = mainAxis(bench);
   plot.titleAcross = "depth in cm, even in dioptres of the eye; + in front of the panel";
@@ -153,17 +153,12 @@ void addMtf(const Bench& bench, const std::vector<MeasuredFigure>& figures,
   const double limit = distance * std::acos(-1) / 180 / (2 * bench.pitch(axis));
   plot.lines.push_back({{plot.across[0], limit}, {plot.across[0], limit}, "hogels' limit 1/(2p)"});
   plot.lines.push_back({{plot.across[0], limit}, {plot.across[1], limit}, ""});
-  plots.push_back({"mtf", "Contrast over depth and detail",
-                   "Gratings on planes, as the eye sees them; lines of contrast 0.5 and 0.1.",
-                   svgOf(plot, map, "Contrast over depth and cycles per degree"),
-                   pointsOf(all, "dioptres", "cycles_per_degree")});
+  return plot;
 }
 
-void addZone(const Bench& bench, const std::vector<MeasuredFigure>& figures,
-             std::vector<MeasurePlot>& plots) {
-  const Figures all = chosen(figures, "viewingZone", "share");
-  MapPlot plot = mapOf(all);
-  if (plot.columns == 0) return;
+MapPlot zoneMap(const Bench& bench, const std::vector<MeasuredFigure>& figures) {
+  MapPlot plot = mapOf(chosen(figures, "viewingZone", "share"));
+  if (plot.columns == 0) return plot;
   plot.titleAcross = "x in m";
   plot.titleUp = "distance from the panel in m";
   plot.unit = "share";
@@ -174,10 +169,29 @@ void addZone(const Bench& bench, const std::vector<MeasuredFigure>& figures,
   const Vec3& eye = bench.eye();
   const double size = 0.02 * (plot.across[1] - plot.across[0]);
   plot.lines.push_back({{eye.x - size, eye.z}, {eye.x + size, eye.z}, "eye"});
+  return plot;
+}
+
+namespace {
+
+void addMtf(const Bench& bench, const std::vector<MeasuredFigure>& figures,
+            std::vector<MeasurePlot>& plots) {
+  const MapPlot plot = mtfMap(bench, figures);
+  if (plot.columns == 0) return;
+  plots.push_back({"mtf", "Contrast over depth and detail",
+                   "Gratings on planes, as the eye sees them; lines of contrast 0.5 and 0.1.",
+                   svgOf(plot, map, "Contrast over depth and cycles per degree"),
+                   pointsOf(chosen(figures, "mtf", ""), "dioptres", "cycles_per_degree")});
+}
+
+void addZone(const Bench& bench, const std::vector<MeasuredFigure>& figures,
+             std::vector<MeasurePlot>& plots) {
+  const MapPlot plot = zoneMap(bench, figures);
+  if (plot.columns == 0) return;
   plots.push_back({"viewing_zone", "Viewing zone from above",
                    "The share of the panel that sends light to an eye; the line is 0.95.",
                    svgOf(plot, map, "Share of the panel seen, over the eye's place"),
-                   pointsOf(all, "x", "z")});
+                   pointsOf(chosen(figures, "viewingZone", "share"), "x", "z")});
 }
 
 void addMatrix(const std::vector<MeasuredFigure>& figures, std::vector<MeasurePlot>& plots) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "measure/measure_run.h"
+#include "page/map_plot.h"
 
 namespace hogelscope {
 
@@ -17,6 +18,11 @@ struct MeasurePlot {
   std::string svg;
   std::string csv;
 };
+
+/// Returns contrast over depth and detail, and the share of the panel seen from above; without
+/// cells if the figures have none.
+MapPlot mtfMap(const Bench& bench, const std::vector<MeasuredFigure>& figures);
+MapPlot zoneMap(const Bench& bench, const std::vector<MeasuredFigure>& figures);
 
 /// Returns the plots of all figures that have several places.
 std::vector<MeasurePlot> plotsOf(const Bench& bench, const std::vector<MeasuredFigure>& figures);

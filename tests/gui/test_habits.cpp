@@ -163,7 +163,7 @@ class TestHabits : public HabitsTest {
     const auto shown = [this] {
       QStringList names;
       for (const char* name : {"sceneDock", "statesDock", "pictureView", "propertiesDock",
-                               "tradeoffDock", "reportDock"})
+                               "measureDock", "tradeoffDock", "reportDock"})
         if (m_window->findChild<QWidget*>(name)->isVisible()) names << name;
       return names.join(' ');
     };
@@ -177,6 +177,9 @@ class TestHabits : public HabitsTest {
     go(2);
     QCOMPARE(shown(), QString("statesDock pictureView"));
     QVERIFY(action("layoutCompareAction")->isChecked());
+    go(3);
+    QCOMPARE(shown(), QString("pictureView measureDock"));
+    QVERIFY(m_window->findChild<QWidget*>("measureDock")->width() > m_window->width() / 3);
     go(4);
     QCOMPARE(shown(), QString("pictureView tradeoffDock"));
     QVERIFY(m_window->findChild<QWidget*>("tradeoffDock")->width() > m_window->width() / 3);

@@ -63,8 +63,8 @@ const std::map<QString, QStringList>& allowedRooms() {
       {"gui/files", {"core", "io", "picture", "gui/session", "gui/view", "gui/widgets"}},
       {"gui/scene", {"core", "io", "vtk", "picture", "gui/session", "gui/widgets"}},
       {"gui/docks",
-       {"core", "io", "study", "page", "chart", "picture", "report", "gui/session", "gui/view",
-        "gui/scene", "gui/widgets"}},
+       {"core", "io", "study", "measure", "page", "chart", "picture", "report", "gui/session",
+        "gui/view", "gui/scene", "gui/widgets"}},
       {"gui/app", {"core", "io", "vtk", "study", "chart", "report", "gui"}},
       {"main", {"core", "io", "cli", "gui/app"}}};
   return rooms;

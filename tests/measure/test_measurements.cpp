@@ -32,7 +32,7 @@ PanelParams displayOf(int hogels, int directions) {
   return display;
 }
 
-/// Measures the figures of these names, all without any; of maps every eleventh cell.
+/// Measures the figures of these names, all without any; of maps every 31st cell.
 std::vector<MeasuredFigure> measured(const Session& session, const PanelParams& display,
                                      const std::vector<std::string>& names) {
   Bench bench = benchOf(session, display);
@@ -40,7 +40,7 @@ std::vector<MeasuredFigure> measured(const Session& session, const PanelParams& 
   int cell = 0;
   for (const Measurement& one : measurementsOf(session, bench)) {
     if (!names.empty() && std::ranges::find(names, one.figure) == names.end()) continue;
-    if (one.figure == "mtf" && cell++ % 11 != 0) continue;
+    if (one.figure == "mtf" && cell++ % 31 != 0) continue;
     result.push_back({one, one.simulate ? one.simulate(bench) : NAN, ""});
   }
   return result;
@@ -115,7 +115,7 @@ class TestMeasurements : public QObject {
                           QString::number(one.value) + " " + QString::number(one.of.closedForm)));
       ++compared[one.of.figure];
     }
-    QVERIFY(compared["mtf"] > 80);
+    QVERIFY(compared["mtf"] > 25);
     QVERIFY(compared["viewingZone"] > 1000);
     if (kind < 3) QCOMPARE(compared.size(), tolerances.size());
   }

@@ -120,6 +120,7 @@ void MainWindow::connectActions() {
         std::pair(m_ui->cameraSetDock, Qt::CTRL | Qt::SHIFT | Qt::Key_M),
         std::pair(m_ui->inspectorDock, Qt::CTRL | Qt::SHIFT | Qt::Key_P),
         std::pair(m_ui->reportDock, QKeyCombination(Qt::CTRL | Qt::Key_R)),
+        std::pair(m_ui->measureDock, Qt::CTRL | Qt::SHIFT | Qt::Key_D),
         std::pair(m_ui->tradeoffDock, QKeyCombination(Qt::CTRL | Qt::Key_T))})
     dock->toggleViewAction()->setShortcut(key);
 }
@@ -206,6 +207,8 @@ void MainWindow::connectDocks() {
             m_method = method;
             render();
           });
+  m_ui->measureView->setModel(m_model);
+  connect(m_ui->measureView, &MeasureWidget::failed, m_messages, &Messages::showError);
   m_ui->reportPanel->setModel(m_model, m_ui->fileMenu, m_ui->statesMenu);
   connect(m_ui->reportPanel, &ReportDock::failed, m_messages, &Messages::showError);
   connect(m_ui->reportPanel, &ReportDock::comparisonAsked, this, [this](const QString& file) {
@@ -363,11 +366,11 @@ void MainWindow::addHelpers() {
            m_ui->sceneWidget);
   new Hint("viewHint", tr("Click a pixel: why is it like this? · double click: only this view"),
            m_ui->pictureView);
-  m_layout =
-      new WindowLayout(this, m_ui->viewMenu,
-                       {m_home, m_ui->pictureArea, m_ui->sceneDock, m_ui->statesDock,
-                        m_ui->propertiesDock, m_ui->tradeoffDock, m_ui->reportDock, m_properties},
-                       {m_ui->pictureView, m_ui->sceneWidget});
+  m_layout = new WindowLayout(
+      this, m_ui->viewMenu,
+      {m_home, m_ui->pictureArea, m_ui->sceneDock, m_ui->statesDock, m_ui->propertiesDock,
+       m_ui->measureDock, m_ui->tradeoffDock, m_ui->reportDock, m_properties},
+      {m_ui->pictureView, m_ui->sceneWidget});
   m_ui->viewMenu->addMenu(m_colours);
   m_ui->viewMenu->addMenu(m_textSizes);
   m_readingBar = new ReadingBar(
@@ -428,6 +431,7 @@ void MainWindow::showScene() {
   const std::optional<ViewSource>& source = m_loader->source();
   m_properties->lightField()->setSource(source);
   m_properties->designNumbers()->setSource(source);
+  m_ui->measureView->setSource(source);
   m_scene->setSource(source);
   m_imageCommands->setSource(source);
   m_ui->reportPanel->setReference(source);

@@ -100,6 +100,9 @@ void WindowLayout::addWorkspaces(QMenu* menu) {
       {m_parts.scene, m_parts.states, m_parts.properties});
   add("layoutCompareAction", tr("&Compare"), tr("The simulated view, large, and the states"), 2,
       {m_parts.states});
+  add("layoutDesignAction", tr("&Measure"),
+      tr("What the display shows, and whether the content fits, beside the simulated view"), 3,
+      {m_parts.measure});
   add("layoutMeasureAction", tr("&Speed"),
       tr("Time and error of the methods beside the simulated view"), 4, {m_parts.tradeoff});
   add("layoutReportAction", tr("&Report"), tr("The report's tables and plots alone"), 5,
@@ -162,11 +165,11 @@ void WindowLayout::toggle(Section* section) {
 void WindowLayout::arrange(const Workspace& workspace) {
   if (isHome()) return;
   showAll();
-  const bool isSpeed = workspace.docks.contains(m_parts.tradeoff);
-  if (isSpeed)
-    m_window->addDockWidget(Qt::LeftDockWidgetArea, m_parts.tradeoff);
-  else
-    m_window->tabifyDockWidget(m_parts.report, m_parts.tradeoff);
+  for (QDockWidget* dock : {m_parts.measure, m_parts.tradeoff})
+    if (workspace.docks.contains(dock))
+      m_window->addDockWidget(Qt::LeftDockWidgetArea, dock);
+    else
+      m_window->tabifyDockWidget(m_parts.report, dock);
   for (QDockWidget* dock : docks()) dock->setVisible(workspace.docks.contains(dock));
   m_window->centralWidget()->setVisible(workspace.hasView);
   workspace.action->setChecked(true);
@@ -177,10 +180,11 @@ void WindowLayout::resize(const Workspace& workspace) {
   const int width = m_window->width();
   const int height = m_window->height();
   const bool hasScene = workspace.docks.contains(m_parts.scene);
-  m_window->resizeDocks({m_parts.states, m_parts.scene, m_parts.properties, m_parts.tradeoff},
-                        {hasScene ? atWidth(width, 320, 640) : 230, atWidth(width, 320, 640),
-                         atWidth(width, 296, 320), 3 * width / 5},
-                        Qt::Horizontal);
+  m_window->resizeDocks(
+      {m_parts.states, m_parts.scene, m_parts.properties, m_parts.measure, m_parts.tradeoff},
+      {hasScene ? atWidth(width, 320, 640) : 230, atWidth(width, 320, 640),
+       atWidth(width, 296, 320), 3 * width / 5, 3 * width / 5},
+      Qt::Horizontal);
   m_window->resizeDocks({m_parts.scene, m_parts.states}, {height * 11 / 20, height * 9 / 20},
                         Qt::Vertical);
 }

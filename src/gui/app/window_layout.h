@@ -31,7 +31,7 @@ class WindowLayout : public QObject {
   struct Parts {
     QWidget* home;
     QWidget* view;  ///< the simulated view with its bars
-    QDockWidget *scene, *states, *properties, *tradeoff, *report;
+    QDockWidget *scene, *states, *properties, *measure, *tradeoff, *report;
     Properties* sections;
   };
 

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "chart/map_painting.h"
+
+#include <QFontMetricsF>
+#include <QImage>
+
+#include <algorithm>
+
+#include "chart/plot_painting.h"
+#include "core/base/colour_map.h"
+#include "core/base/text.h"
+
+namespace hogelscope {
+
+namespace {
+
+/// Returns the cells as an image, the lowest row at the bottom.
+QImage cellsOf(const MapPlot& plot) {
+  QImage image(plot.columns, plot.rows(), QImage::Format_RGB32);
+  for (int row = 0; row < plot.rows(); ++row)
+    for (int column = 0; column < plot.columns; ++column) {
+      const double value =
+          plot.values[std::size_t(row) * std::size_t(plot.columns) + std::size_t(column)];
+      const auto [r, g, b] =
+          falseColour((value - plot.shades[0]) / (plot.shades[1] - plot.shades[0]));
+      image.setPixel(column, plot.rows() - 1 - row, qRgb(r, g, b));
+    }
+  return image;
+}
+
+/// Strokes a line that is seen on every colour: white over black.
+void stroke(QPainter& painter, const QLineF& line, Qt::PenStyle style) {
+  QPen pen(QColor(0, 0, 0, 130), 2.6, style, Qt::FlatCap);
+  painter.setPen(pen);
+  painter.drawLine(line);
+  pen.setColor(Qt::white);
+  pen.setWidthF(1.2);
+  painter.setPen(pen);
+  painter.drawLine(line);
+}
+
+/// Writes a name on any colour.
+void writeName(QPainter& painter, const QPointF& at, const QString& name) {
+  painter.setPen(QColor(0, 0, 0, 200));
+  for (const QPointF& aside : {QPointF(1, 0), QPointF(-1, 0), QPointF(0, 1), QPointF(0, -1)})
+    painter.drawText(at + aside, name);
+  painter.setPen(Qt::white);
+  painter.drawText(at, name);
+}
+
+}  // namespace
+
+void paintMap(QPainter& painter, const QSizeF& size, const MapPlot& plot,
+              const ChartColours& colours) {
+  const double text = painter.fontMetrics().height();
+  const QRectF area(3.2 * text, 0.8 * text, size.width() - 7.2 * text, size.height() - 3.6 * text);
+  if (plot.columns == 0 || area.width() < text || area.height() < text) return;
+  const Axis across{plot.across[0], plot.across[1], area.left(), area.right()};
+  const Axis up{plot.up[0], plot.up[1], area.bottom(), area.top()};
+  painter.setRenderHint(QPainter::SmoothPixmapTransform, true);
+  painter.drawImage(area, cellsOf(plot));
+  const auto place = [&](const std::array<double, 2>& at) {
+    return QPointF(across.at(at[0]), up.at(at[1]));
+  };
+  for (const double level : plot.contours)
+    for (const auto& [from, to] : contourOf(plot, level))
+      stroke(painter, {place(from), place(to)}, Qt::SolidLine);
+  for (const auto& [from, to, name] : plot.lines) {
+    stroke(painter, {place(from), place(to)}, Qt::DashLine);
+    const bool endsBelow = to[1] < from[1];
+    writeName(painter, place(to) + QPointF(4, endsBelow ? -6 : text), QString::fromStdString(name));
+  }
+  painter.setPen(colours.text2);
+  const std::vector<Tick> ticks =
+      plot.ticks.empty() ? linearTicks(across, std::max(2, int(area.width() / (5 * text))))
+                         : plot.ticks;
+  double free = area.left() - 2 * text;
+  std::vector<Tick> sorted = ticks;
+  std::ranges::sort(sorted, {}, &Tick::value);
+  for (const Tick& tick : sorted) {
+    const double x = across.at(tick.value);
+    const QString words = QString::fromStdString(tick.text);
+    const double half = painter.fontMetrics().horizontalAdvance(words) / 2.0;
+    if (x - half < free) continue;
+    painter.drawText(QRectF(x - 100, area.bottom() + 2, 200, text), Qt::AlignCenter, words);
+    free = x + half + 0.5 * text;
+  }
+  for (const Tick& tick : linearTicks(up, std::max(2, int(area.height() / (2 * text)))))
+    painter.drawText(QRectF(0, up.at(tick.value) - text, area.left() - 5, 2 * text),
+                     Qt::AlignRight | Qt::AlignVCenter, QString::fromStdString(tick.text));
+  painter.drawText(QRectF(0, area.bottom() + 1.3 * text, size.width(), text), Qt::AlignCenter,
+                   QString::fromStdString(plot.titleAcross));
+  painter.save();
+  painter.translate(0.5 * text, area.center().y());
+  painter.rotate(-90);
+  painter.drawText(QRectF(-300, -0.5 * text, 600, text), Qt::AlignCenter,
+                   QString::fromStdString(plot.titleUp));
+  painter.restore();
+  paintColourBar(painter, {area.right() + 0.8 * text, area.top(), 8, area.height()},
+                 QString::fromStdString(rounded(plot.shades[0], 1)),
+                 QString::fromStdString(rounded(plot.shades[1], 1)), colours.text2);
+}
+
+}  // namespace hogelscope
