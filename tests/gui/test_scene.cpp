@@ -361,6 +361,40 @@ class TestScene : public SceneTest {
     QVERIFY(!isTinted({0, 0.02, 0.3}));
   }
 
+  /// The panel's outline where content begins and ends to be sharp, dotted.
+  void theSharpDepthsArePlanes() {
+    press(Qt::Key_F7);
+    scene().approach(0.6);
+    QTest::qWait(50);
+    const QImage before = painted();
+    child<QAction>("sceneDepthsAction")->trigger();
+    QTest::qWait(50);
+    const QImage after = painted();
+    const auto isDrawn = [&](const Vec3& place) {
+      const QPoint at = onScreen(place);
+      for (int y = at.y() - 3; y <= at.y() + 3; ++y)
+        for (int x = at.x() - 3; x <= at.x() + 3; ++x)
+          if (before.valid(x, y) && before.pixel(x, y) != after.pixel(x, y)) return true;
+      return false;
+    };
+    // p D/(s D ± p)
+    const DisplayParams& display = m_session.display;
+    const double pitch = display.size[0] / display.hogels[0];
+    const double step = 2 * std::tan(radians(display.fov[0] / 2)) / display.directions[0];
+    const double distance = m_session.cameras[0].camera.eye.z;
+    const double front = pitch * distance / (step * distance + pitch);
+    const double behind = pitch * distance / (step * distance - pitch);
+    for (const double z : {front, -behind}) {
+      int found = 0;
+      for (int k = -9; k <= 9; ++k) found += isDrawn({0.25, 0.025 * k, z}) ? 1 : 0;
+      QVERIFY2(found > 12, qPrintable(QString::number(z)));
+    }
+    QVERIFY(!isDrawn({0.25, 0.1, 0.3}));
+    child<QAction>("sceneDepthsAction")->trigger();
+    QTest::qWait(50);
+    QCOMPARE(painted(), before);
+  }
+
   /// Around the points at the eye's depth that see the whole panel, and dashed around those that
   /// see a part of it if that fits the window.
   void theViewingZoneHasAnOutline() {

@@ -45,7 +45,7 @@ int runSweep(const CommandLine& line) {
   const auto failed =
       std::ranges::count_if(result.rows, [](const SweepRow& row) { return !row.problem.empty(); });
   if (failed > 0)
-    printNote(std::to_string(failed) + " designs could not be measured; sweep.csv says why");
+    printNote(std::to_string(failed) + " design(s) could not be measured; sweep.csv says why");
   std::cout << result.rows.size() << " designs";
   if (!request.table.pareto.empty())
     std::cout << ", " << std::ranges::count_if(result.rows, &SweepRow::isPareto)

@@ -18,6 +18,8 @@
 #include <utility>
 
 #include "core/optics/scene_eyes.h"
+#include "core/panel/design_numbers.h"
+#include "core/panel/viewing_zone.h"
 #include "gui/scene/scene_actor.h"
 #include "gui/scene/scene_overlay.h"
 #include "gui/scene/vtk_widget.h"
@@ -30,6 +32,19 @@ namespace {
 
 Vec3 vec3(const double* p) {
   return {p[0], p[1], p[2]};
+}
+
+/// Returns the corners of the panel's outline at the depths between which content is sharp for an
+/// eye; without a plane where there is no limit.
+std::vector<std::vector<Vec3>> depthPlanes(const PanelParams& display, const Vec3& eye) {
+  std::vector<std::vector<Vec3>> planes;
+  if (display.hogels[0] < 1 || display.directions[0] < 1) return planes;
+  const DesignNumbers numbers = designNumbers(display, eye);
+  const std::array<double, 2> half{display.size[0] / 2, display.size[1] / 2};
+  for (const double z : {numbers.depthFront, -numbers.depthBehind})
+    if (z != 0 && std::isfinite(z))
+      planes.push_back(cornersOf(display, {z, {-half[0], -half[1]}, half}));
+  return planes;
 }
 
 }  // namespace
@@ -95,6 +110,8 @@ void DisplayScene::paintOver(QPainter& painter, bool hasArrows) const {
       if (const auto at = onScreen(*m_renderer, corner)) polygon << *at / ratio;
     return polygon.size() == qsizetype(corners.size()) ? polygon : QPolygonF();
   };
+  if (m_hasDepths)
+    for (const std::vector<Vec3>& plane : m_depths) overlay.sharpDepths.push_back(outline(plane));
   overlay.wholeZone = outline(m_wholeZone);
   overlay.someZone = outline(m_someZone);
   if (!QRectF(m_widget.rect()).contains(overlay.someZone.boundingRect())) overlay.someZone.clear();
@@ -155,6 +172,7 @@ void DisplayScene::show(const PanelParams& display, const std::vector<CameraStat
   const Vec3 eye = hasCurrent ? states[current].camera.eye : display.position;
   m_wholeZone = zoneAt(display, ViewingZone::wholePanel, eye);
   m_someZone = zoneAt(display, ViewingZone::someOfThePanel, eye);
+  m_depths = depthPlanes(display, eye);
   m_marks = panelCorners();
   for (const CameraState& state : states) m_marks.push_back(state.camera.eye);
   const auto place = [&](Vec3 CameraParams::*point) {

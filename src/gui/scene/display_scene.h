@@ -45,6 +45,8 @@ class DisplayScene : public QObject {
   /// are skipped.
   void show(const PanelParams& display, const std::vector<CameraState>& states,
             std::size_t current);
+  /// Shows the planes between which content is sharp for the current eye.
+  void setDepthsVisible(bool isVisible) { m_hasDepths = isVisible; }
   void setScaleBarVisible(bool isVisible) { m_hasScaleBar = isVisible; }
   /// Shows the world's axes at its origin.
   void setAxesVisible(bool areVisible) { m_hasAxes = areVisible; }
@@ -122,7 +124,9 @@ class DisplayScene : public QObject {
   std::size_t m_current = 0;                  ///< state
   std::vector<Vec3> m_marks;                  ///< panel corners, eyes, the current look-at point
   std::vector<Vec3> m_wholeZone, m_someZone;  ///< outlines at the current eye's depth
-  std::vector<Vec3> m_measured;               ///< up to two points
+  std::vector<std::vector<Vec3>> m_depths;    ///< corners of the planes of sharp depths
+  bool m_hasDepths = false;
+  std::vector<Vec3> m_measured;  ///< up to two points
   bool m_hasScaleBar = true;
   bool m_hasAxes = false;
   std::optional<CameraParams> m_fitted;  ///< the eye that fit() or lookFrom() chose last

@@ -238,6 +238,10 @@ void SceneController::addParts(QMenu* menu) {
           "it is seen, in lines; its outline at the current eye's depth is always there"),
        Qt::ALT | Qt::SHIFT | Qt::Key_Z},
       false, [this](bool isOn) { m_scene->zone().setVisible(isOn); });
+  add({"sceneDepthsAction", tr("Sharp &depths"),
+       tr("The panel's outline at the depths between which content is sharp for the current eye"),
+       Qt::ALT | Qt::SHIFT | Qt::Key_D},
+      false, [this](bool isOn) { m_scene->setDepthsVisible(isOn); });
   add({"sceneGridAction", tr("Hogel &grid"),
        tr("The hogel grid also where the panel shows what is seen; every 2nd, 4th, 8th … line "
           "where they are close together"),
