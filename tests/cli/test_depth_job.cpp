@@ -57,7 +57,11 @@ void TestDepthJob::ofALiveScene() {
   const Outcome outcome = depth(room, {"--output", "out", "--fit", "fit.json"});
   QCOMPARE(outcome.err, QByteArray());
   QCOMPARE(outcome.status, 0);
-  QCOMPARE(namesIn("out"), (QStringList{"depth.csv", "depth.json", "depth.png", "depth.svg"}));
+  QCOMPARE(namesIn("out"),
+           (QStringList{"depth.csv", "depth.json", "depth.png", "depth.svg", "plots"}));
+  QCOMPARE(namesIn("out/plots"), (QStringList{"depth_now.csv", "depth_now.svg",
+                                              "depth_proposed.csv", "depth_proposed.svg"}));
+  QCOMPARE(tableOf("out/plots/depth_now.csv").size(), 161);
   QVERIFY(!QImage("out/depth.png").isNull());
   QVERIFY(contentOf("out/depth.svg").contains("<svg"));
 

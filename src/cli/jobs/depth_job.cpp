@@ -50,6 +50,23 @@ void printFigures(const DepthBudget& budget) {
             << percent(later.inside) << "\n";
 }
 
+/// Writes plots/NAME.svg, a histogram of the first state, and plots/NAME.csv, its bars.
+void writePlot(const fs::path& folder, const std::string& name, const DepthFigures& figures,
+               double end) {
+  const DepthHistogram histogram{figures, depthBars(figures, end)};
+  const Paint paint = [&histogram](QPainter& painter, const QSizeF& size) {
+    paintDepths(painter, QRectF({12, 8}, size - QSizeF(24, 12)), histogram, printColours());
+  };
+  std::string points = "dioptres,z,share\n";
+  const DepthBars& bars = histogram.bars;
+  for (std::size_t bar = 0; bar < bars.shares.size(); ++bar)
+    points += numberText(bars.middle(bar)) + "," +
+              numberText(depthAt(bars.middle(bar), figures.limits.distance)) + "," +
+              numberText(bars.shares[bar]) + "\n";
+  writeTextFile(folder / (name + ".svg"), svgOf(paint, {640, 280}, "Depth of the content"));
+  writeTextFile(folder / (name + ".csv"), points);
+}
+
 }  // namespace
 
 int runDepth(const CommandLine& line) {
@@ -83,6 +100,12 @@ int runDepth(const CommandLine& line) {
   };
   writeTextFile(folder / "depth.png", pngOf(paint, chart.size()));
   writeTextFile(folder / "depth.svg", svgOf(paint, chart.size(), "Depth budget"));
+  makeFolder(folder / "plots");
+  const DepthFigures* const later =
+      budget.proposal ? &budget.proposal->depths.states.front() : nullptr;
+  const double end = barsEnd(budget.now.states.front(), later);
+  writePlot(folder / "plots", "depth_now", budget.now.states.front(), end);
+  if (later != nullptr) writePlot(folder / "plots", "depth_proposed", *later, end);
   if (!fit.empty()) {
     makeFolderOf(fit);
     saveSession(fit, budget.proposal->session);

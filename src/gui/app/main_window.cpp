@@ -208,7 +208,6 @@ void MainWindow::connectDocks() {
             render();
           });
   m_ui->measureView->setModel(m_model);
-  connect(m_ui->measureView, &MeasureWidget::failed, m_messages, &Messages::showError);
   m_ui->reportPanel->setModel(m_model, m_ui->fileMenu, m_ui->statesMenu);
   connect(m_ui->reportPanel, &ReportDock::failed, m_messages, &Messages::showError);
   connect(m_ui->reportPanel, &ReportDock::comparisonAsked, this, [this](const QString& file) {

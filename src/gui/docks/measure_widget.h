@@ -31,9 +31,6 @@ class MeasureWidget : public QWidget {
   /// Sets the session's light field; none while there is no one.
   void setSource(const std::optional<ViewSource>& source);
 
- Q_SIGNALS:
-  void failed(const QString& line);
-
  protected:
   void showEvent(QShowEvent* event) override;
   void hideEvent(QHideEvent* event) override;
