@@ -14,7 +14,6 @@ namespace hogelscope {
 
 namespace {
 
-constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 constexpr double infinite = std::numeric_limits<double>::infinity();
 const double half = 2 / std::numbers::pi;  ///< sinc(1/2)
 
@@ -50,7 +49,7 @@ void addMtf(const Bench& bench, std::size_t axis, std::vector<Measurement>& all)
       const Grating grating{cycles / ((distance - z) * std::numbers::pi / 180), z};
       all.push_back({"mtf", "", placeOf(grating),
                      [grating, axis](Bench& b) { return contrast(b, grating, axis); },
-                     bench.isLinear(axis) ? contrastLaw(bench, grating, axis) : unknown, dioptres,
+                     bench.isLinear(axis) ? contrastLaw(bench, grating, axis) : noValue, dioptres,
                      cycles});
     }
   }
@@ -79,7 +78,7 @@ void addSpatialResolution(const Bench& bench, std::size_t axis, std::vector<Meas
          [=](Bench& b) {
            return 1e-3 * finest([&](double f) { return contrast(b, {f, z}, axis); }, limit);
          },
-         bench.isLinear(axis) ? 1e-3 * finest(formOf, limit) : unknown, z});
+         bench.isLinear(axis) ? 1e-3 * finest(formOf, limit) : noValue, z});
   }
 }
 
@@ -108,7 +107,7 @@ void addDepthOfField(const Bench& bench, std::size_t axis, std::vector<Measureme
                        },
                        half, scale);
                  },
-                 !isLinear    ? unknown
+                 !isLinear    ? noValue
                  : isParallel ? scale
                               : formOf(sharp, half)});
   for (const int percent : {50, 10}) {
@@ -122,7 +121,7 @@ void addDepthOfField(const Bench& bench, std::size_t axis, std::vector<Measureme
                          },
                          level, scale);
                    },
-                   isLinear ? formOf(bench, level) : unknown});
+                   isLinear ? formOf(bench, level) : noValue});
   }
 }
 
@@ -190,7 +189,7 @@ void addThroughFocus(const Bench& bench, std::size_t axis, double pupil,
                      own.setPupil(params);
                      return contrast(own, grating, axis);
                    },
-                   bench.isLinear(axis) ? contrastLaw(focused, grating, axis) : unknown, vergence});
+                   bench.isLinear(axis) ? contrastLaw(focused, grating, axis) : noValue, vergence});
   }
 }
 

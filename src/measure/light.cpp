@@ -13,8 +13,6 @@ namespace hogelscope {
 
 namespace {
 
-constexpr double white = 255;
-constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 constexpr double pi = std::numbers::pi;
 
 double degrees(double radians) {
@@ -27,11 +25,6 @@ double luminanceOf(double codeValue) {
 
 Vec2 onAxis(double place, std::size_t axis) {
   return axis == 0 ? Vec2{place, 0} : Vec2{0, place};
-}
-
-Vec3 movedTo(Vec3 eye, double place, std::size_t axis) {
-  (axis == 0 ? eye.x : eye.y) = place;
-  return eye;
 }
 
 /// The middle direction and hogel of an axis, at which single directions are looked at.
@@ -48,7 +41,7 @@ Middle middleOf(const Bench& bench, std::size_t axis) {
 /// Returns the luminance seen from a direction's middle where only `lit` shines.
 double seenFrom(Bench& bench, const Middle& middle, int lit, double direction) {
   const TestLight one = [&](const plugin::Ray& ray) {
-    return std::floor(bench.directionOf(ray, middle.axis)) == lit ? white : 0;
+    return std::floor(bench.directionOf(ray, middle.axis)) == lit ? whiteCode : 0;
   };
   const double place = bench.eyePlaceFor(direction, middle.hogel, middle.axis);
   return luminanceOf(bench.lookAt(one, movedTo(bench.eye(), place, middle.axis),
@@ -57,14 +50,14 @@ double seenFrom(Bench& bench, const Middle& middle, int lit, double direction) {
 
 /// Returns the closed form: the weight of a direction so many steps away, as a part of its own.
 double kernelForm(const Bench& bench, int steps) {
-  if (bench.pupil().diameter > 0) return unknown;
+  if (bench.pupil().diameter > 0) return noValue;
   const std::vector<double> weights = bench.weights();
   const int reach = int(weights.size()) / 2;
   const double weight = std::abs(steps) > reach ? 0 : weights[std::size_t(steps + reach)];
   const double own = weights[std::size_t(reach)];
   return bench.psf().light == LightModel::linear
              ? weight / own
-             : luminanceOf(white * weight) / luminanceOf(white * own);
+             : luminanceOf(whiteCode * weight) / luminanceOf(whiteCode * own);
 }
 
 /// Whether the window about the middle direction stays in the field.
@@ -84,7 +77,7 @@ void addMatrix(const Bench& bench, const Middle& middle, std::vector<Measurement
                       "",
                       "lit=" + std::to_string(lit) + " seen=" + std::to_string(seen),
                       {},
-                      hasRoom(bench, middle) ? kernelForm(bench, k - i) : unknown,
+                      hasRoom(bench, middle) ? kernelForm(bench, k - i) : noValue,
                       double(seen),
                       double(lit)};
       one.simulate = [=](Bench& b) {
@@ -113,9 +106,9 @@ void addProfile(const Bench& bench, const Middle& middle, std::vector<Measuremen
     const int steps = int(std::floor(direction)) - middle.direction;
     all.push_back({"angularProfile", "", "angle=" + numberText(fourDigits(angle)) + "°",
                    [=](Bench& b) { return relative(b, direction); },
-                   hasForm ? kernelForm(bench, steps) : unknown, angle});
+                   hasForm ? kernelForm(bench, steps) : noValue, angle});
   }
-  double form = unknown;
+  double form = noValue;
   if (hasForm && bench.pupil().diameter == 0) {
     int steps = 0;
     while (kernelForm(bench, steps + 1) >= 0.5) ++steps;
@@ -172,7 +165,7 @@ void addAngularResolution(const Bench& bench, const Middle& middle, std::vector<
   const auto finest = [most](const auto& contrastOf) {
     for (int period = 2; period <= most; ++period)
       if (contrastOf(period) >= threshold) return double(period);
-    return unknown;
+    return noValue;
   };
   const double degreesEach = degrees(std::atan(bench.step(middle.axis)));
   if (most >= 2)
@@ -181,16 +174,16 @@ void addAngularResolution(const Bench& bench, const Middle& middle, std::vector<
          [=](Bench& b) {
            return degreesEach * finest([&](int p) { return waveContrast(b, middle, p); });
          },
-         hasForm ? degreesEach * finest([&](int p) { return waveForm(bench, p); }) : unknown});
+         hasForm ? degreesEach * finest([&](int p) { return waveForm(bench, p); }) : noValue});
   for (int period = 2; period <= most; ++period)
     all.push_back({"angularResolution", "",
                    "contrast period=" + std::to_string(period) + " directions",
                    [=](Bench& b) { return waveContrast(b, middle, period); },
-                   hasForm ? waveForm(bench, period) : unknown, double(period)});
+                   hasForm ? waveForm(bench, period) : noValue, double(period)});
 }
 
 double whiteAt(Bench& bench, const Vec3& eye, const Vec2& point) {
-  return luminanceOf(bench.lookAt([](const plugin::Ray&) { return white; }, eye, point));
+  return luminanceOf(bench.lookAt([](const plugin::Ray&) { return whiteCode; }, eye, point));
 }
 
 /// Returns least / most of the values that are numbers.
@@ -202,7 +195,7 @@ double evenness(const std::vector<double>& values) {
     least = std::min(least, value);
     most = std::max(most, value);
   }
-  return most > 0 ? least / most : unknown;
+  return most > 0 ? least / most : noValue;
 }
 
 void addUniformity(const Bench& bench, std::vector<Measurement>& all) {
@@ -216,7 +209,7 @@ void addUniformity(const Bench& bench, std::vector<Measurement>& all) {
                        values.push_back(whiteAt(b, b.eye(), {x * width, y * height}));
                    return evenness(values);
                  },
-                 isEven ? 1 : unknown});
+                 isEven ? 1 : noValue});
   all.push_back({"uniformity", "", "least/most of 9 eyes in the viewing zone",
                  [](Bench& b) {
                    const double distance = b.distance();
@@ -228,7 +221,7 @@ void addUniformity(const Bench& bench, std::vector<Measurement>& all) {
                        values.push_back(whiteAt(b, {x * across, y * down, distance}, {0, 0}));
                    return evenness(values);
                  },
-                 isEven ? 1 : unknown});
+                 isEven ? 1 : noValue});
 }
 
 void addContrast(std::vector<Measurement>& all) {
@@ -248,7 +241,7 @@ void addContrast(std::vector<Measurement>& all) {
                      const Vec2 point = pointOf(ray, 0);
                      const double column = std::floor(4 * (point.x / width + 0.5));
                      const double row = std::floor(4 * (point.y / height + 0.5));
-                     return std::fmod(column + row + 8, 2) == 0 ? white : 0;
+                     return std::fmod(column + row + 8, 2) == 0 ? whiteCode : 0;
                    };
                    std::array<double, 2> sums{};
                    for (int row = 0; row < 4; ++row)

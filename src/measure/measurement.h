@@ -13,14 +13,19 @@
 
 namespace hogelscope {
 
+/// The value of what cannot be measured, or has no closed form.
+constexpr double noValue = std::numeric_limits<double>::quiet_NaN();
+/// The code value of white test light.
+constexpr double whiteCode = 255;
+
 /// One figure at one place; several rows of measure.csv have the same name.
 struct Measurement {
   std::string figure;
   std::string unit;                              ///< "" for ratios
   std::string where;                             ///< such as "across", "f=0.4/mm z=0.02 m"
   std::function<double(Bench& bench)> simulate;  ///< empty if there is only the closed form
-  double closedForm = std::numeric_limits<double>::quiet_NaN();  ///< NaN if there is none
-  double across = 0;                                             ///< the place in the figure's plot
+  double closedForm = noValue;
+  double across = 0;  ///< the place in the figure's plot
   double up = 0;
 };
 
@@ -38,6 +43,12 @@ void addDetail(const Bench& bench, double pupil, std::vector<Measurement>& all);
 /// one direction across.
 inline std::size_t mainAxis(const Bench& bench) {
   return bench.display().directions[0] > 1 ? 0 : 1;
+}
+
+/// Returns an eye that is moved to a place along an axis.
+inline Vec3 movedTo(Vec3 eye, double place, std::size_t axis) {
+  (axis == 0 ? eye.x : eye.y) = place;
+  return eye;
 }
 
 /// Returns "across" or "down".

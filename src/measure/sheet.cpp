@@ -67,7 +67,6 @@ void addSheet(const Bench& bench, double pupil, std::vector<Measurement>& all) {
     const double distance = bench.distance();
     const double slope = std::tan(display.fov[axis] * std::numbers::pi / 360);
     const bool hasForm = display.lens == HogelLensModel::rectilinear;
-    const double unknown = std::numeric_limits<double>::quiet_NaN();
     all.push_back({"hogelPitch", "m", axisName(axis),
                    [axis](Bench& b) { return pitchByRays(b, axis); },
                    display.size[axis] / display.hogels[axis]});
@@ -76,7 +75,7 @@ void addSheet(const Bench& bench, double pupil, std::vector<Measurement>& all) {
                      const auto [low, high] = slopesByRays(b, axis);
                      return high - low;
                    },
-                   hasForm ? 2 * slope / display.directions[axis] : unknown});
+                   hasForm ? 2 * slope / display.directions[axis] : noValue});
     // An odd number has its middle direction on the axis; of an even one, two meet there.
     const bool isOdd = display.directions[axis] % 2 == 1;
     all.push_back({"degreesPerDirection", "°", axisName(axis),
@@ -84,7 +83,7 @@ void addSheet(const Bench& bench, double pupil, std::vector<Measurement>& all) {
                      const auto [low, high] = slopesByRays(b, axis);
                      return degrees(std::atan(high) - std::atan(low));
                    },
-                   !hasForm ? unknown
+                   !hasForm ? noValue
                    : isOdd  ? degrees(2 * std::atan(step / 2))
                             : degrees(std::atan(step))});
     all.push_back({"directionsPerPupil", "", axisName(axis),
@@ -92,7 +91,7 @@ void addSheet(const Bench& bench, double pupil, std::vector<Measurement>& all) {
                      const auto [low, high] = slopesByRays(b, axis);
                      return pupil / (b.distance() * (high - low));
                    },
-                   hasForm ? pupil * display.directions[axis] / (distance * 2 * slope) : unknown});
+                   hasForm ? pupil * display.directions[axis] / (distance * 2 * slope) : noValue});
   }
   const auto [nx, ny] = display.hogels;
   const auto [du, dv] = display.directions;

@@ -26,7 +26,6 @@ namespace hogelscope {
 
 namespace {
 
-constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 constexpr std::string_view mtfPrefix = "mtf:";
 constexpr const char* idealPsnr = "psnr:ideal";
 constexpr const char* designPsnr = "psnr:design";
@@ -95,7 +94,7 @@ double psnrOf(Views& test, Views& reference, bool isIdeal, const Progress& progr
     sum += mse;
     ++count;
   }
-  return count == 0 ? unknown : 10 * std::log10(255.0 * 255 * count / sum);
+  return count == 0 ? noValue : 10 * std::log10(255.0 * 255 * count / sum);
 }
 
 double millisecondsOf(Views& views, const Progress& progress) {
@@ -129,7 +128,7 @@ class DesignFigures {
     if (figure.starts_with(mtfPrefix)) {
       const std::size_t axis = mainAxis(m_bench);
       const double z = *numberOf(std::string_view(figure).substr(mtfPrefix.size()));
-      if (z >= m_bench.distance()) return unknown;
+      if (z >= m_bench.distance()) return noValue;
       return contrast(m_bench, {1 / (2 * m_bench.pitch(axis)), z}, axis);
     }
     if (!needsViews(figure)) return measured(figure);
@@ -147,7 +146,7 @@ class DesignFigures {
     for (const Measurement& one : m_all)
       if (one.figure == figure && one.unit == unit)
         return one.simulate ? one.simulate(m_bench) : one.closedForm;
-    return unknown;
+    return noValue;
   }
 
   const SweepRequest& m_request;

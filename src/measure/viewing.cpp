@@ -11,9 +11,6 @@ namespace hogelscope {
 
 namespace {
 
-constexpr double white = 255;
-constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-
 std::string metres(double value) {
   return numberText(fourDigits(value)) + " m";
 }
@@ -63,11 +60,6 @@ double endOf(double from, double step, double farthest, const IsIn& isIn) {
   return inside;
 }
 
-Vec3 movedTo(Vec3 eye, double place, std::size_t axis) {
-  (axis == 0 ? eye.x : eye.y) = place;
-  return eye;
-}
-
 void addZone(const Bench& bench, std::vector<Measurement>& all) {
   const double distance = bench.distance();
   for (const std::size_t axis : {0, 1}) {
@@ -85,7 +77,7 @@ void addZone(const Bench& bench, std::vector<Measurement>& all) {
                      return endOf(0, step, 1000 * b.distance(), isIn) -
                             endOf(0, -step, 1000 * b.distance(), isIn);
                    },
-                   hasForm ? std::max(2 * half, 0.0) : unknown});
+                   hasForm ? std::max(2 * half, 0.0) : noValue});
   }
   const bool hasForm = bench.display().lens == HogelLensModel::rectilinear;
   all.push_back({"viewingZone", "m", "whole panel from z",
@@ -93,9 +85,9 @@ void addZone(const Bench& bench, std::vector<Measurement>& all) {
                    const auto isIn = [&](double z) { return shareSeen(b, {0, 0, z}) == 1; };
                    double z = 1e-3 * b.distance();
                    while (!isIn(z) && z < 1e3 * b.distance()) z *= 1.5;
-                   return isIn(z) ? endOf(z, -z / 60, z, isIn) : unknown;
+                   return isIn(z) ? endOf(z, -z / 60, z, isIn) : noValue;
                  },
-                 hasForm ? std::max(nearestZone(bench, 0), nearestZone(bench, 1)) : unknown});
+                 hasForm ? std::max(nearestZone(bench, 0), nearestZone(bench, 1)) : noValue});
   // Seen from above.
   constexpr int columns = 41;
   constexpr int rows = 25;
@@ -105,7 +97,7 @@ void addZone(const Bench& bench, std::vector<Measurement>& all) {
       const double z = 2 * distance * (row + 0.5) / rows;
       const double x = reach * (2 * (column + 0.5) / columns - 1);
       Measurement one{
-          "viewingZone", "", "share x=" + metres(x) + " z=" + metres(z), {}, unknown, x, z};
+          "viewingZone", "", "share x=" + metres(x) + " z=" + metres(z), {}, noValue, x, z};
       one.simulate = [x, z](Bench& b) { return shareSeen(b, {x, 0, z}); };
       if (hasForm) one.closedForm = shareForm(bench, x, z, 0) * shareForm(bench, 0, z, 1);
       all.push_back(std::move(one));
@@ -119,7 +111,7 @@ double luminanceFrom(Bench& bench, const Vec3& eye) {
   double sum = 0;
   for (int row = 0; row < side; ++row) {
     const double y = height * ((row + 0.5) / side - 0.5);
-    for (const BenchPoint& point : bench.look([](const plugin::Ray&) { return white; }, eye, 0,
+    for (const BenchPoint& point : bench.look([](const plugin::Ray&) { return whiteCode; }, eye, 0,
                                               -width / 2, width / 2, side, y))
       sum += light(point.value);
   }
@@ -147,7 +139,7 @@ void addQualified(const Bench& bench, double ipd, std::vector<Measurement>& all)
       return isQualified(b, head, ipd, luminance);
     };
     const double from = axis == 0 ? b.eye().x : axis == 1 ? b.eye().y : b.eye().z;
-    if (!isIn(from)) return unknown;
+    if (!isIn(from)) return noValue;
     return endOf(from, sign * b.distance() / 20, 20 * b.distance(), isIn);
   };
   for (const std::size_t axis : {0, 1})
@@ -169,7 +161,7 @@ double crosstalkForm(const Bench& bench, const Vec3& head, double ipd, double bo
   const Display panel(bench.display());
   const Vec3 left{head.x - ipd / 2, head.y, head.z};
   const auto hit = panel.intersectPlane(left, Vec3{hogel, 0, 0} - left);
-  if (!hit) return unknown;
+  if (!hit) return noValue;
   const int seen = int(std::floor(hit->u));
   const std::vector<double> weights = bench.weights();
   const int reach = int(weights.size()) / 2;
@@ -182,11 +174,11 @@ double crosstalkForm(const Bench& bench, const Vec3& head, double ipd, double bo
     (isRight ? wrong : own) += weights[std::size_t(k + reach)];
   }
   if (bench.psf().border != PsfBorder::renormalise && (seen < reach || seen >= count - reach))
-    return unknown;
+    return noValue;
   const double sum = wrong + own;
   return bench.psf().light == LightModel::linear
              ? wrong / own
-             : light(white * wrong / sum) / light(white * own / sum);
+             : light(whiteCode * wrong / sum) / light(whiteCode * own / sum);
 }
 
 void addCrosstalk(const Bench& bench, double ipd, std::vector<Measurement>& all) {
@@ -195,7 +187,7 @@ void addCrosstalk(const Bench& bench, double ipd, std::vector<Measurement>& all)
   for (int step = -steps; step <= steps; ++step) {
     const double x = 0.45 * ipd * step / steps;
     const Vec3 head{eye.x + x, eye.y, eye.z};
-    Measurement one{"crosstalk", "", "x=" + metres(x), {}, unknown, x};
+    Measurement one{"crosstalk", "", "x=" + metres(x), {}, noValue, x};
     one.simulate = [=](Bench& b) { return crosstalk(b, head, ipd, eye.x); };
     if (bench.pupil().diameter == 0) one.closedForm = crosstalkForm(bench, head, ipd, eye.x);
     // The designated eye position comes first.
@@ -214,12 +206,12 @@ double stepByMoving(Bench& bench, std::size_t axis) {
   const double hogel = bench.middleHogel(axis);
   const TestLight noise = [&bench, axis](const plugin::Ray& ray) {
     const double value = std::sin(12.9898 * std::floor(bench.directionOf(ray, axis))) * 43758.5453;
-    return white * (value - std::floor(value));
+    return whiteCode * (value - std::floor(value));
   };
   const int last = bench.display().directions[axis] - 1;
   const double middle = bench.eyePlaceFor(0.5 * (last + 1) + 0.03, hogel, axis);
   std::vector<double> changes;
-  double before = unknown;
+  double before = noValue;
   for (int k = 0; k < directions * perDirection; ++k) {
     const double place = middle + (k - directions * perDirection / 2) * step;
     const Vec2 point = axis == 0 ? Vec2{hogel, 0} : Vec2{0, hogel};
@@ -227,7 +219,7 @@ double stepByMoving(Bench& bench, std::size_t axis) {
     if (!std::isnan(before) && !std::isnan(value) && value != before) changes.push_back(place);
     before = value;
   }
-  return changes.size() < 2 ? unknown
+  return changes.size() < 2 ? noValue
                             : (changes.back() - changes.front()) / double(changes.size() - 1);
 }
 
@@ -266,7 +258,7 @@ double crosstalk(Bench& bench, const Vec3& head, double ipd, double border) {
   const double hogel = bench.middleHogel(0);
   const auto seen = [&](bool isRightWhite) {
     const TestLight channels = [&](const plugin::Ray& ray) {
-      return (pointOf(ray, head.z).x > border) == isRightWhite ? white : 0;
+      return (pointOf(ray, head.z).x > border) == isRightWhite ? whiteCode : 0;
     };
     return light(bench.lookAt(channels, left, {hogel, 0}));
   };
@@ -288,7 +280,7 @@ void addViewing(const Bench& bench, double ipd, std::vector<Measurement>& all) {
                    Bench plain = b.withoutBlur();
                    return stepByMoving(plain, axis);
                  },
-                 bench.isLinear(axis) ? bench.distance() * bench.step(axis) : unknown});
+                 bench.isLinear(axis) ? bench.distance() * bench.step(axis) : noValue});
 }
 
 }  // namespace hogelscope
