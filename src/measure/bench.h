@@ -20,7 +20,7 @@ inline Vec2 pointOf(const plugin::Ray& ray, double z) {
   return {ray.x + ray.a * (z - ray.z), ray.y + ray.b * (z - ray.z)};
 }
 
-/// What is seen at a point of the panel.
+/// A point of the panel as the eye sees it.
 struct BenchPoint {
   double place = 0;      ///< along the line, metres from the panel's centre
   double value = 0;      ///< code value, not rounded

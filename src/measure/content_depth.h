@@ -14,7 +14,7 @@
 
 namespace hogelscope {
 
-/// What a view's pixels show, row by row.
+/// The depths of a view's pixels, row by row.
 struct PixelDepths {
   std::vector<double> z;           ///< display frame, metres; NaN if it is not known
   std::vector<std::uint8_t> seen;  ///< 1 where the pixel sees the display, else 0
@@ -26,7 +26,7 @@ struct PixelDepths {
 /// hogel of the pixel. Throws InputError as Renderer::render() and depthsByDisparity(), Cancelled.
 PixelDepths depthsOf(const RenderJob& job, LensTables& tables, const Progress& progress);
 
-/// How much of a state's content fits. Shares are of the pixels whose depth is known.
+/// The figures of a state's content. Shares are of the pixels whose depth is known.
 struct DepthFigures {
   std::string state;
   DepthLimits limits;

@@ -33,15 +33,11 @@ Figures chosen(const std::vector<MeasuredFigure>& figures, std::string_view name
   return result;
 }
 
-std::string cell(double value) {
-  return std::isnan(value) ? std::string() : numberText(value);
-}
-
 std::string pointsOf(const Figures& figures, const std::string& across, const std::string& up) {
   std::string text = across + (up.empty() ? "" : "," + up) + ",value,closed_form\n";
   for (const MeasuredFigure* one : figures)
     text += numberText(one->of.across) + "," + (up.empty() ? "" : numberText(one->of.up) + ",") +
-            cell(one->value) + "," + cell(one->of.closedForm) + "\n";
+            numberCell(one->value) + "," + numberCell(one->of.closedForm) + "\n";
   return text;
 }
 

@@ -30,11 +30,11 @@ std::string keyOf(const MeasureRequest& request) {
          (files.empty() ? "" : " " + contentHash(files));
 }
 
-std::string cell(double value) {
+}  // namespace
+
+std::string numberCell(double value) {
   return std::isnan(value) ? std::string() : numberText(value);
 }
-
-}  // namespace
 
 double MeasuredFigure::difference() const {
   return value == of.closedForm ? 0 : value - of.closedForm;
@@ -86,9 +86,9 @@ Measured measure(const MeasureRequest& request, const Progress& progress) {
 std::string csv(const std::vector<MeasuredFigure>& figures) {
   std::string text = "figure,value,unit,where,closed_form,difference\n";
   for (const MeasuredFigure& one : figures)
-    text += one.of.figure + "," + cell(one.value) + "," + one.of.unit + "," +
-            csvCell(one.of.where) + "," + cell(one.of.closedForm) + "," + cell(one.difference()) +
-            "\n";
+    text += one.of.figure + "," + numberCell(one.value) + "," + one.of.unit + "," +
+            csvCell(one.of.where) + "," + numberCell(one.of.closedForm) + "," +
+            numberCell(one.difference()) + "\n";
   return text;
 }
 

@@ -284,8 +284,7 @@ std::string csv(const SweepTable& table, const std::vector<SweepRow>& rows) {
   for (const SweepRow& row : rows) {
     text += std::to_string(++number);
     for (const std::string& value : row.design) text += "," + csvCell(value);
-    for (const double value : row.figures)
-      text += "," + (std::isnan(value) ? std::string() : numberText(value));
+    for (const double value : row.figures) text += "," + numberCell(value);
     text += std::string(",") + (row.isPareto ? "1" : "0") + "," + csvCell(row.problem) + "\n";
   }
   return text;

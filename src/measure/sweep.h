@@ -36,8 +36,8 @@ struct Sweep {
 };
 
 /// Throws InputError unless all figures of the table are known: those of --measure that have one
-/// value, "mtf:Z" (contrast of a grating of half the hogels' frequency limit 1/p on the plane Z in
-/// metres), "psnr:ideal", "psnr:design" (dB of the mean squared error over all states, of the
+/// value, "mtf:Z" (contrast of a grating of the frequency 1/(2p), p the hogel pitch, on the plane Z
+/// in metres), "psnr:ideal", "psnr:design" (dB of the mean squared error over all states, of the
 /// pixels seen, against the ideal views or the session's own) and "milliseconds" of the first
 /// state's view.
 void checkFigures(const SweepTable& table, const Session& session);

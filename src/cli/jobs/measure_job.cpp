@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // --measure: the figures of the session's display.
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <iostream>
@@ -62,6 +63,11 @@ int runMeasure(const CommandLine& line) {
               << ": its figures are done; the command without --shard writes the page\n";
     return 0;
   }
+  const auto failed = std::ranges::find_if(
+      measured.figures, [](const MeasuredFigure& one) { return !one.problem.empty(); });
+  if (failed != measured.figures.end())
+    printNote(failed->of.figure + ", " + failed->of.where + ": " + failed->problem +
+              "; cells of figures that cannot be measured are empty");
   printFigures(measured);
   std::cout << measured.figures.size() << " figures in "
             << printable((folder / "measure.csv").string()) << " and "

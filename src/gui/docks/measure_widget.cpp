@@ -235,17 +235,19 @@ void MeasureWidget::simulate() {
       std::string obstacle = "no depth of what this eye sees is known";
       std::optional<DepthProposal> proposal;
       if (!figures.dioptres.empty()) proposal = proposedFit(session, panel, figures, obstacle);
-      m_task->queue([this, figures, proposal, obstacle] {
-        showDepths(figures, proposal, QString::fromStdString(obstacle));
+      m_task->queue([this, session, figures, proposal, obstacle] {
+        if (session == ofCurrent())  // no edit since
+          showDepths(figures, proposal, QString::fromStdString(obstacle));
       });
     }
     const auto figures = mapFigures(session, panel, true, part(progress, 0.3, 1));
     const Bench bench = benchOf(session, panel);
-    return [this, contrast = mtfMap(bench, figures), zone = zoneMap(bench, figures),
+    return [this, session, contrast = mtfMap(bench, figures), zone = zoneMap(bench, figures),
             most = farthestFromForms(figures)] {
+      m_progress->hide();
+      if (session != ofCurrent()) return;
       m_shown.contrast = contrast;
       m_shown.zone = zone;
-      m_progress->hide();
       showStatus(tr("Simulated; contrast differs from its closed form by at most %1")
                      .arg(most, 0, 'g', 2));
       update();

@@ -36,14 +36,13 @@ class MeasureWidget : public QWidget {
   void hideEvent(QHideEvent* event) override;
 
  private:
-  /// What is shown of the session as it is.
+  /// The plots of the session as it is.
   struct Shown {
     MapPlot contrast;
     MapPlot zone;
     std::optional<DepthFigures> depths;
     double end = 1;  ///< of the depths' bars, dioptres
     std::optional<DepthProposal> proposal;
-    QString problem;
   };
 
   QWidget* makePlot(const char* name, const QString& title, const QString& tip);
