@@ -28,6 +28,15 @@ QColor over(const ChartColours& colours, const QColor& colour, double share) {
           mixed(ground.blue(), colour.blue())};
 }
 
+constexpr double tintShare = 0.55;
+
+/// Returns the tint of content at the depth z; invalid within both limits.
+QColor tintOf(double z, const DepthLimits& limits) {
+  const double dioptres = z < limits.distance ? dioptresAt(z, limits.distance) : 0;
+  if (DepthLimits::isWithin(dioptres, limits.both())) return {};
+  return dioptres > 0 ? inFront : behind;
+}
+
 constexpr double rowHeight = 272;
 constexpr double headerHeight = 72;
 constexpr double margin = 40;
@@ -79,8 +88,12 @@ void paintTicks(QPainter& painter, const DepthAxes& axes, double distance,
     for (const double sign : {-1.0, 1.0}) tick(sign * centimetres / 100);
   const QRectF below(axes.area.left(), axes.area.bottom() + 23, axes.area.width(), 16);
   painter.setPen(colours.text2);
-  painter.drawText(below, Qt::AlignLeft, "behind the panel");
-  painter.drawText(below, Qt::AlignHCenter, "depth, even in dioptres of the eye");
+  const QString title = "depth, even in dioptres of the eye";
+  const QString left = "behind the panel";
+  const QFontMetricsF metrics(painter.font());
+  const double needed = metrics.horizontalAdvance(title) + 2.2 * metrics.horizontalAdvance(left);
+  painter.drawText(below, Qt::AlignLeft, left);
+  if (needed < below.width()) painter.drawText(below, Qt::AlignHCenter, title);
   painter.drawText(below, Qt::AlignRight, "in front");
 }
 
@@ -164,20 +177,31 @@ void paintDepths(QPainter& painter, const QRectF& area, const DepthHistogram& de
   paintTicks(painter, axes, limits.distance, colours);
 }
 
+QImage depthTint(const QSize& size, const PixelDepths& depths, const DepthLimits& limits) {
+  QImage tint(size, QImage::Format_ARGB32);
+  tint.fill(Qt::transparent);
+  for (int y = 0; y < size.height(); ++y)
+    for (int x = 0; x < size.width(); ++x) {
+      const std::size_t pixel = std::size_t(y) * std::size_t(size.width()) + std::size_t(x);
+      QColor colour = tintOf(depths.z[pixel], limits);
+      if (!colour.isValid()) continue;
+      colour.setAlphaF(tintShare);
+      tint.setPixelColor(x, y, colour);
+    }
+  return tint;
+}
+
 QImage tintedByDepth(const Image& picture, const PixelDepths& depths, const DepthLimits& limits) {
   QImage tinted(picture.width, picture.height, QImage::Format_RGB32);
-  const double limit = limits.both();
   for (int y = 0; y < picture.height; ++y)
     for (int x = 0; x < picture.width; ++x) {
       const std::size_t pixel = std::size_t(y) * std::size_t(picture.width) + std::size_t(x);
       const std::uint8_t* const rgb = &picture.rgb[3 * pixel];
-      const double z = depths.z[pixel];
-      const double dioptres = z < limits.distance ? dioptresAt(z, limits.distance) : 0;
-      QColor tint;
-      if (!DepthLimits::isWithin(dioptres, limit)) tint = dioptres > 0 ? inFront : behind;
+      const QColor tint = tintOf(depths.z[pixel], limits);
       const double grey = (rgb[0] + rgb[1] + rgb[2]) / 3.0;
       const auto mixed = [&](int value, int other) {
-        return tint.isValid() ? int(0.45 * value + 0.55 * other) : int(0.55 * value + 0.45 * grey);
+        return tint.isValid() ? int(0.45 * value + tintShare * other)
+                              : int(0.55 * value + 0.45 * grey);
       };
       tinted.setPixel(
           x, y,

@@ -27,6 +27,9 @@ void paintDepths(QPainter& painter, const QRectF& area, const DepthHistogram& de
 /// front of them red.
 QImage tintedByDepth(const Image& picture, const PixelDepths& depths, const DepthLimits& limits);
 
+/// Returns the tint alone of a picture of `size`, transparent where content is within both limits.
+QImage depthTint(const QSize& size, const PixelDepths& depths, const DepthLimits& limits);
+
 /// The chart of the first state.
 class DepthBudgetChart {
  public:

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "measure/bench.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "core/base/error.h"
 #include "core/content/live_source.h"
@@ -23,8 +25,8 @@ class TestContent : public plugin::ContentSource {
   void depths(double& back, double& front) const override { back = front = 0; }
   void trace(std::span<const plugin::Ray> rays, std::span<plugin::Colour> colours) const override {
     for (std::size_t k = 0; k < rays.size(); ++k) {
-      const auto value = float(m_light(rays[k]));
-      colours[k] = {value, value, value};
+      const auto [red, green, blue] = m_light(rays[k]);
+      colours[k] = {float(red), float(green), float(blue)};
     }
   }
 
@@ -107,7 +109,7 @@ std::vector<BenchPoint> Bench::look(const TestLight& light, const Vec3& eye, std
     if (image.seen[pixel] == 0) continue;
     BenchPoint point;
     point.place = from + (k + 0.5) * width;
-    point.value = double(image.rgb[3 * pixel]);
+    std::copy_n(&image.rgb[3 * pixel], 3, point.values.begin());
     const Vec3 target = axis == 0 ? Vec3{point.place, across, 0} : Vec3{across, point.place, 0};
     const auto hit = m_panel.intersectPlane(eye, target - eye);
     if (hit) point.direction = axis == 0 ? hit->u : hit->v;
@@ -116,25 +118,26 @@ std::vector<BenchPoint> Bench::look(const TestLight& light, const Vec3& eye, std
   return points;
 }
 
-double Bench::lookAt(const TestLight& light, const Vec3& eye, const Vec2& point) {
+CodeValues Bench::lookAt(const TestLight& light, const Vec3& eye, const Vec2& point) {
   const double half = 1e-4 * pitch(0);
   const auto points = look(light, eye, 0, point.x - half, point.x + half, 1, point.y);
-  return points.empty() ? std::numeric_limits<double>::quiet_NaN() : points[0].value;
+  return points.empty() ? grey(std::numeric_limits<double>::quiet_NaN()) : points[0].values;
 }
 
 namespace {
 
-constexpr double grey = 0.5, linearWave = 0.4;      // of linear light
-constexpr double middleCode = 127.5, codeWave = 4;  // code values
+constexpr double middleLight = 0.5, linearWave = 0.4;  // of linear light
+constexpr double middleCode = 127.5, codeWave = 4;     // code values
 
 }  // namespace
 
 double Bench::codeOf(double wave) const {
-  return sumsLinear() ? encodedFromLinear(grey + linearWave * wave) : middleCode + codeWave * wave;
+  return sumsLinear() ? encodedFromLinear(middleLight + linearWave * wave)
+                      : middleCode + codeWave * wave;
 }
 
 double Bench::waveOf(double code) const {
-  return sumsLinear() ? (linearFromEncoded(code) - grey) / linearWave
+  return sumsLinear() ? (linearFromEncoded(code) - middleLight) / linearWave
                       : (code - middleCode) / codeWave;
 }
 
@@ -146,6 +149,13 @@ std::vector<double> Bench::weights() const {
   for (const double weight : weights) sum += weight;
   for (double& weight : weights) weight /= sum;
   return weights;
+}
+
+MeterAperture::MeterAperture(Bench& bench) : m_bench(bench), m_own(bench.pupil()) {
+  constexpr double halfDegree = std::numbers::pi / 360;
+  PupilParams narrow = m_own;
+  narrow.diameter = std::min(narrow.diameter, 2 * bench.distance() * std::tan(halfDegree));
+  m_bench.setPupil(narrow);
 }
 
 }  // namespace hogelscope

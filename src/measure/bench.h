@@ -3,6 +3,7 @@
 // lines. All is in the display frame, whatever the display's pose.
 #pragma once
 
+#include <array>
 #include <functional>
 #include <vector>
 
@@ -12,8 +13,16 @@
 
 namespace hogelscope {
 
-/// Test light: the code value, of all three channels, that a ray of the display carries.
-using TestLight = std::function<double(const plugin::Ray& ray)>;
+/// Code values of the three channels, not rounded. Channels do not mix, so that one look can be at
+/// three kinds of test light.
+using CodeValues = std::array<double, 3>;
+/// Returns one value in all channels.
+inline CodeValues grey(double value) {
+  return {value, value, value};
+}
+
+/// Test light: what a ray of the display carries.
+using TestLight = std::function<CodeValues(const plugin::Ray& ray)>;
 
 /// Returns the point of a ray on the plane z, metres.
 inline Vec2 pointOf(const plugin::Ray& ray, double z) {
@@ -22,8 +31,8 @@ inline Vec2 pointOf(const plugin::Ray& ray, double z) {
 
 /// A point of the panel as the eye sees it.
 struct BenchPoint {
-  double place = 0;      ///< along the line, metres from the panel's centre
-  double value = 0;      ///< code value, not rounded
+  double place = 0;  ///< along the line, metres from the panel's centre
+  CodeValues values{};
   double direction = 0;  ///< real-valued direction along the line's axis
 };
 
@@ -63,8 +72,8 @@ class Bench {
   [[nodiscard]] std::vector<BenchPoint> look(const TestLight& light, const Vec3& eye,
                                              std::size_t axis, double from, double to, int count,
                                              double across = 0);
-  /// Returns the value at one point of the panel; NaN if it is not seen.
-  [[nodiscard]] double lookAt(const TestLight& light, const Vec3& eye, const Vec2& point);
+  /// Returns the values at one point of the panel; NaN if it is not seen.
+  [[nodiscard]] CodeValues lookAt(const TestLight& light, const Vec3& eye, const Vec2& point);
 
   /// Turn a wave of −1 … 1 into code values and back, such that what the display sums is
   /// proportional to it: in linear light, unless only the leakage sums, in code values; if both
@@ -87,6 +96,20 @@ class Bench {
   PupilParams m_pupil;
   std::array<double, 2> m_steps{};
   Renderer m_renderer{serialRows};
+};
+
+/// Narrows a bench's pupil while it lives, such that the panel sees it under 1° at most: the
+/// angular aperture that IDMS 17.2 allows.
+class MeterAperture {
+ public:
+  explicit MeterAperture(Bench& bench);
+  ~MeterAperture() { m_bench.setPupil(m_own); }
+  MeterAperture(const MeterAperture&) = delete;
+  MeterAperture& operator=(const MeterAperture&) = delete;
+
+ private:
+  Bench& m_bench;
+  PupilParams m_own;
 };
 
 }  // namespace hogelscope

@@ -2,6 +2,7 @@
 #include "measure/contrast.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <complex>
 #include <limits>
@@ -60,33 +61,40 @@ double contrast(Bench& bench, const Grating& grating, std::size_t axis) {
   const int reach = bench.psf().windowSize / 2;
   const double directions = bench.display().directions[axis];
   const double range = directions > 1 ? bench.distance() * bench.step(axis) : pitch;
-  // The second of two gratings, a quarter of a period aside, takes away what hogels sample as the
-  // mirrored frequency.
-  const auto harmonicOf = [&](const Vec3& eye, double shift) {
-    const TestLight light = [&, axis](const plugin::Ray& ray) {
-      const Vec2 point = pointOf(ray, grating.z);
-      const double place = axis == 0 ? point.x : point.y;
-      return bench.codeOf(std::cos(2 * pi * grating.frequency * place - shift));
-    };
+  // The second of two gratings, a quarter of a period aside in another channel, takes away what
+  // hogels sample as the mirrored frequency.
+  constexpr std::array shifts{0.0, pi / 2};
+  const TestLight light = [&, axis](const plugin::Ray& ray) {
+    const Vec2 point = pointOf(ray, grating.z);
+    const double angle = 2 * pi * grating.frequency * (axis == 0 ? point.x : point.y);
+    return CodeValues{bench.codeOf(std::cos(angle - shifts[0])),
+                      bench.codeOf(std::cos(angle - shifts[1])), 0};
+  };
+  const auto harmonicsOf = [&](const Vec3& eye) {
     const double place = axis == 0 ? eye.x : eye.y;
-    HarmonicFit whole, inner;
-    int inside = 0;
-    for (const BenchPoint& point : bench.look(light, eye, axis, -half, half, count)) {
-      const double atDepth = point.place + (place - point.place) * grating.z / bench.distance();
-      const double angle = 2 * pi * grating.frequency * atDepth - shift;
-      whole.add(angle, bench.waveOf(point.value));
-      if (point.direction < reach || point.direction >= directions - reach) continue;
-      inner.add(angle, bench.waveOf(point.value));  // with all of the leakage
-      ++inside;
+    const std::vector<BenchPoint> points = bench.look(light, eye, axis, -half, half, count);
+    std::complex<double> sum;
+    for (std::size_t k = 0; k < shifts.size(); ++k) {
+      HarmonicFit whole, inner;
+      int inside = 0;
+      for (const BenchPoint& point : points) {
+        const double atDepth = point.place + (place - point.place) * grating.z / bench.distance();
+        const double angle = 2 * pi * grating.frequency * atDepth - shifts[k];
+        whole.add(angle, bench.waveOf(point.values[k]));
+        if (point.direction < reach || point.direction >= directions - reach) continue;
+        inner.add(angle, bench.waveOf(point.values[k]));  // with all of the leakage
+        ++inside;
+      }
+      sum += (inside > 2 ? inner : whole).harmonic();
     }
-    return (inside > 2 ? inner : whole).harmonic();
+    return sum;
   };
   const int phases = std::clamp(8192 / count, 8, 32);  // more for small panels
   std::complex<double> sum;
   for (int phase = 0; phase < phases; ++phase) {
     Vec3 eye = bench.eye();
     (axis == 0 ? eye.x : eye.y) += ((phase + 0.5) / phases - 0.5) * range;
-    sum += harmonicOf(eye, 0) + harmonicOf(eye, pi / 2);
+    sum += harmonicsOf(eye);
   }
   return std::abs(sum) / (2 * phases);
 }

@@ -40,12 +40,13 @@ Middle middleOf(const Bench& bench, std::size_t axis) {
 
 /// Returns the luminance seen from a direction's middle where only `lit` shines.
 double seenFrom(Bench& bench, const Middle& middle, int lit, double direction) {
+  const MeterAperture aperture(bench);
   const TestLight one = [&](const plugin::Ray& ray) {
-    return std::floor(bench.directionOf(ray, middle.axis)) == lit ? whiteCode : 0;
+    return std::floor(bench.directionOf(ray, middle.axis)) == lit ? white : grey(0);
   };
   const double place = bench.eyePlaceFor(direction, middle.hogel, middle.axis);
   return luminanceOf(bench.lookAt(one, movedTo(bench.eye(), place, middle.axis),
-                                  onAxis(middle.hogel, middle.axis)));
+                                  onAxis(middle.hogel, middle.axis))[0]);
 }
 
 /// Returns the closed form: the weight of a direction so many steps away, as a part of its own.
@@ -136,14 +137,14 @@ void addProfile(const Bench& bench, const Middle& middle, std::vector<Measuremen
 double waveContrast(Bench& bench, const Middle& middle, int period) {
   const TestLight wave = [&](const plugin::Ray& ray) {
     const double direction = std::floor(bench.directionOf(ray, middle.axis));
-    return bench.codeOf(std::cos(2 * pi * direction / period));
+    return grey(bench.codeOf(std::cos(2 * pi * direction / period)));
   };
   const int first = middle.direction - period / 2;
   std::complex<double> sum;
   for (int k = 0; k < period; ++k) {
     const double place = bench.eyePlaceFor(first + k + 0.5, middle.hogel, middle.axis);
     const double value = bench.lookAt(wave, movedTo(bench.eye(), place, middle.axis),
-                                      onAxis(middle.hogel, middle.axis));
+                                      onAxis(middle.hogel, middle.axis))[0];
     sum += bench.waveOf(value) * std::polar(1.0, 2 * pi * (first + k) / period);
   }
   return std::abs(sum) / period * (period == 2 ? 1 : 2);
@@ -183,7 +184,7 @@ void addAngularResolution(const Bench& bench, const Middle& middle, std::vector<
 }
 
 double whiteAt(Bench& bench, const Vec3& eye, const Vec2& point) {
-  return luminanceOf(bench.lookAt([](const plugin::Ray&) { return whiteCode; }, eye, point));
+  return luminanceOf(bench.lookAt([](const plugin::Ray&) { return white; }, eye, point)[0]);
 }
 
 /// Returns least / most of the values that are numbers.
@@ -229,7 +230,7 @@ void addContrast(std::vector<Measurement>& all) {
   all.push_back({"contrast", "", "full screen, white/black",
                  [](Bench& b) {
                    const double black = luminanceOf(
-                       b.lookAt([](const plugin::Ray&) { return 0.0; }, b.eye(), {0, 0}));
+                       b.lookAt([](const plugin::Ray&) { return grey(0); }, b.eye(), {0, 0})[0]);
                    return whiteAt(b, b.eye(), {0, 0}) / black;
                  },
                  infinite});
@@ -241,14 +242,14 @@ void addContrast(std::vector<Measurement>& all) {
                      const Vec2 point = pointOf(ray, 0);
                      const double column = std::floor(4 * (point.x / width + 0.5));
                      const double row = std::floor(4 * (point.y / height + 0.5));
-                     return std::fmod(column + row + 8, 2) == 0 ? whiteCode : 0;
+                     return std::fmod(column + row + 8, 2) == 0 ? white : grey(0);
                    };
                    std::array<double, 2> sums{};
                    for (int row = 0; row < 4; ++row)
                      for (int column = 0; column < 4; ++column) {
                        const Vec2 middle{width * ((column + 0.5) / 4 - 0.5),
                                          height * ((row + 0.5) / 4 - 0.5)};
-                       const double value = luminanceOf(b.lookAt(board, b.eye(), middle));
+                       const double value = luminanceOf(b.lookAt(board, b.eye(), middle)[0]);
                        if (!std::isnan(value)) sums[std::size_t((column + row) % 2)] += value;
                      }
                    return sums[0] / sums[1];

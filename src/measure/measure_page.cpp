@@ -128,7 +128,7 @@ MapPlot mtfMap(const Bench& bench, const std::vector<MeasuredFigure>& figures) {
   if (plot.columns == 0) return plot;
   const double distance = bench.distance();
   const std::size_t axis = mainAxis(bench);
-  plot.titleAcross = "depth in cm, even in dioptres of the eye; + in front of the panel";
+  plot.titleAcross = "depth in cm, + in front; even in dioptres";
   plot.titleUp = "cycles per degree";
   plot.unit = "contrast";
   plot.contours = {0.5, 0.1};

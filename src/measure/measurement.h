@@ -17,6 +17,7 @@ namespace hogelscope {
 constexpr double noValue = std::numeric_limits<double>::quiet_NaN();
 /// The code value of white test light.
 constexpr double whiteCode = 255;
+constexpr CodeValues white{whiteCode, whiteCode, whiteCode};
 
 /// One figure at one place; several rows of measure.csv have the same name.
 struct Measurement {

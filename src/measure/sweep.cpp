@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <functional>
 #include <map>
 
 #include "campaign/campaign.h"
@@ -114,12 +115,13 @@ double millisecondsOf(Views& views, const Progress& progress) {
 /// Measures the figures of one design.
 class DesignFigures {
  public:
-  /// `own` keeps the views of the session itself for all designs.
-  DesignFigures(const SweepRequest& request, const Session& session, std::optional<Views>& own,
+  /// `reference` keeps the views that "psnr:design" compares with for all designs; without one it
+  /// is made from `base`.
+  DesignFigures(const Session& session, const Session& base, std::optional<Views>& reference,
                 const Progress& progress)
-      : m_request(request),
-        m_session(session),
-        m_own(own),
+      : m_session(session),
+        m_base(base),
+        m_reference(reference),
         m_progress(progress),
         m_bench(benchOf(session, displayToMeasure(session, progress))) {}
 
@@ -135,8 +137,8 @@ class DesignFigures {
     if (!m_views) m_views.emplace(m_session, m_progress);
     if (figure == milliseconds) return millisecondsOf(*m_views, m_progress);
     if (figure == idealPsnr) return psnrOf(*m_views, *m_views, true, m_progress);
-    if (!m_own) m_own.emplace(m_request.session, m_progress);
-    return psnrOf(*m_views, *m_own, false, m_progress);
+    if (!m_reference) m_reference.emplace(m_base, m_progress);
+    return psnrOf(*m_views, *m_reference, false, m_progress);
   }
 
  private:
@@ -149,14 +151,34 @@ class DesignFigures {
     return noValue;
   }
 
-  const SweepRequest& m_request;
   const Session& m_session;
-  std::optional<Views>& m_own;
+  const Session& m_base;
+  std::optional<Views>& m_reference;
   const Progress& m_progress;
   Bench m_bench;
   std::vector<Measurement> m_all;
   std::optional<Views> m_views;
 };
+
+/// Measures all designs that `designOf` makes, on `base` where figures need another one.
+Campaign measureDesigns(const CampaignRequest& request, const Session& base,
+                        const std::vector<std::string>& figures,
+                        const std::function<Session(std::size_t)>& designOf,
+                        const Progress& progress) {
+  // Views use all threads themselves; a time is that of a view alone.
+  const bool hasViews = std::ranges::any_of(figures, needsViews);
+  std::optional<Views> reference;
+  return runCampaign(
+      request, hasViews ? 1 : threadCount(),
+      [&](std::size_t item, std::size_t, const Progress& hear) {
+        const Session design = designOf(item);
+        DesignFigures of(design, base, reference, hear);
+        std::vector<double> values;
+        for (const std::string& figure : figures) values.push_back(of.of(figure));
+        return values;
+      },
+      progress);
+}
 
 std::string keyOf(const SweepRequest& request, const Progress& progress) {
   std::string text = textOf(request.session);
@@ -237,21 +259,12 @@ Sweep sweep(const SweepRequest& request, const Progress& progress) {
   checkFigures(request.table, request.session);
   const std::vector<Design> designs = designsOf(request.table);
   checkParameters(request, designs.front());
-  // Views use all threads themselves; a time is that of a view alone.
-  const bool hasViews = std::ranges::any_of(request.table.figures, needsViews);
-  std::optional<Views> own;
-  Campaign campaign = runCampaign(
+  const Campaign campaign = measureDesigns(
       {request.output, keyOf(request, part(progress, 0, 0.02)), designs.size(),
        request.table.figures.size(), request.shard},
-      hasViews ? 1 : threadCount(),
-      [&](std::size_t item, std::size_t, const Progress& hear) {
-        const Session session =
-            overridden(request.session, overridesOf(request.table, designs[item]));
-        DesignFigures figures(request, session, own, hear);
-        std::vector<double> values;
-        for (const std::string& figure : request.table.figures)
-          values.push_back(figures.of(figure));
-        return values;
+      request.session, request.table.figures,
+      [&](std::size_t item) {
+        return overridden(request.session, overridesOf(request.table, designs[item]));
       },
       part(progress, 0.02, 1));
   Sweep result{{}, campaign.taken, campaign.replacedAnother};
@@ -273,6 +286,18 @@ Sweep sweep(const SweepRequest& request, const Progress& progress) {
   writeTextFile(request.output / "sweep.csv", points);
   campaign.journal->remove();
   return result;
+}
+
+std::vector<SweepRow> measureDesigns(const std::vector<Session>& designs,
+                                     const std::vector<std::string>& figures,
+                                     const Progress& progress) {
+  const Campaign campaign = measureDesigns(
+      {"", "", designs.size(), figures.size(), {}}, designs.front(), figures,
+      [&](std::size_t item) { return designs[item]; }, progress);
+  std::vector<SweepRow> rows;
+  for (const JournalEntry& row : campaign.rows)
+    rows.push_back({{}, row.values, false, row.problem});
+  return rows;
 }
 
 std::string csv(const SweepTable& table, const std::vector<SweepRow>& rows) {

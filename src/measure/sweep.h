@@ -46,6 +46,12 @@ void checkFigures(const SweepTable& table, const Session& session);
 /// After a stop the same request goes on where it was. Throws InputError, Cancelled.
 Sweep sweep(const SweepRequest& request, const Progress& progress);
 
+/// Measures figures of designs that are whole sessions, one at least, as rows without `design`.
+/// "psnr:design" is against the first one. Throws Cancelled.
+std::vector<SweepRow> measureDesigns(const std::vector<Session>& designs,
+                                     const std::vector<std::string>& figures,
+                                     const Progress& progress);
+
 /// Marks the rows that no other one beats: none is at least as good in all goals and better in one.
 void markPareto(const SweepTable& table, std::vector<SweepRow>& rows);
 

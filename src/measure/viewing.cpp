@@ -111,9 +111,9 @@ double luminanceFrom(Bench& bench, const Vec3& eye) {
   double sum = 0;
   for (int row = 0; row < side; ++row) {
     const double y = height * ((row + 0.5) / side - 0.5);
-    for (const BenchPoint& point : bench.look([](const plugin::Ray&) { return whiteCode; }, eye, 0,
+    for (const BenchPoint& point : bench.look([](const plugin::Ray&) { return white; }, eye, 0,
                                               -width / 2, width / 2, side, y))
-      sum += light(point.value);
+      sum += light(point.values[0]);
   }
   return sum / (side * side);
 }
@@ -206,7 +206,7 @@ double stepByMoving(Bench& bench, std::size_t axis) {
   const double hogel = bench.middleHogel(axis);
   const TestLight noise = [&bench, axis](const plugin::Ray& ray) {
     const double value = std::sin(12.9898 * std::floor(bench.directionOf(ray, axis))) * 43758.5453;
-    return whiteCode * (value - std::floor(value));
+    return grey(whiteCode * (value - std::floor(value)));
   };
   const int last = bench.display().directions[axis] - 1;
   const double middle = bench.eyePlaceFor(0.5 * (last + 1) + 0.03, hogel, axis);
@@ -215,7 +215,7 @@ double stepByMoving(Bench& bench, std::size_t axis) {
   for (int k = 0; k < directions * perDirection; ++k) {
     const double place = middle + (k - directions * perDirection / 2) * step;
     const Vec2 point = axis == 0 ? Vec2{hogel, 0} : Vec2{0, hogel};
-    const double value = bench.lookAt(noise, movedTo(bench.eye(), place, axis), point);
+    const double value = bench.lookAt(noise, movedTo(bench.eye(), place, axis), point)[0];
     if (!std::isnan(before) && !std::isnan(value) && value != before) changes.push_back(place);
     before = value;
   }
@@ -254,17 +254,15 @@ double shareSeen(const Bench& bench, const Vec3& eye) {
 }
 
 double crosstalk(Bench& bench, const Vec3& head, double ipd, double border) {
+  const MeterAperture aperture(bench);
   const Vec3 left{head.x - ipd / 2, head.y, head.z};
   const double hogel = bench.middleHogel(0);
-  const auto seen = [&](bool isRightWhite) {
-    const TestLight channels = [&](const plugin::Ray& ray) {
-      return (pointOf(ray, head.z).x > border) == isRightWhite ? whiteCode : 0;
-    };
-    return light(bench.lookAt(channels, left, {hogel, 0}));
+  const TestLight channels = [&](const plugin::Ray& ray) {
+    const bool isRight = pointOf(ray, head.z).x > border;
+    return isRight ? CodeValues{whiteCode, 0, 0} : CodeValues{0, whiteCode, 0};
   };
-  const double black =
-      light(bench.lookAt([](const plugin::Ray&) { return 0.0; }, left, {hogel, 0}));
-  return (seen(true) - black) / (seen(false) - black);
+  const auto [right, own, black] = bench.lookAt(channels, left, {hogel, 0});
+  return (light(right) - light(black)) / (light(own) - light(black));
 }
 
 void addViewing(const Bench& bench, double ipd, std::vector<Measurement>& all) {

@@ -2,7 +2,8 @@
 // Makes the manual's images of the window, so that they stay true: packaging/manual.sh.
 // screenshots FOLDER WIDTHxHEIGHT TEST drives the real window on the sample session; TEST is a
 // light field to compare with. screenshots FOLDER WIDTHxHEIGHT SESSION ACTION… opens a session,
-// triggers the actions and makes one image, named by the size and the scale of the screen.
+// triggers the actions and makes one image, named by the size and the scale of the screen. An
+// action may also be a button, or a slider with its value: designFov=400.
 #include <QAbstractButton>
 #include <QApplication>
 #include <QComboBox>
@@ -13,6 +14,7 @@
 #include <QLineEdit>
 #include <QPushButton>
 #include <QSettings>
+#include <QSlider>
 #include <QSpinBox>
 #include <QStandardPaths>
 #include <QTableView>
@@ -51,8 +53,14 @@ class Shooting {
     files(m_window).open(session);
     wait([this] { return !view()->image().isNull(); });
     for (const QString& action : actions) {
-      trigger(action.toLatin1());
-      QTest::qWait(3000);
+      const QString name = action.section('=', 0, 0);
+      if (auto* slider = m_window.findChild<QSlider*>(name))
+        slider->setValue(action.section('=', 1).toInt());
+      else if (auto* button = m_window.findChild<QAbstractButton*>(name))
+        button->click();
+      else
+        trigger(action.toLatin1());
+      QTest::qWait(4000);
     }
     const double scale = m_window.devicePixelRatioF();
     shoot(QString("%1x%2").arg(scale * m_size.width()).arg(scale * m_size.height()));

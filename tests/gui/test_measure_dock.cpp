@@ -1,13 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Drives the dock "Measure" of the real window: closed forms at once, the engine's figures when
 // edits rest, the button that fits the content, and undo.
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDir>
 #include <QDockWidget>
 #include <QLabel>
 #include <QPushButton>
+#include <QSlider>
+#include <QToolButton>
 #include <QUndoStack>
 
 #include "chart/depth_budget_chart.h"
+#include "gui/docks/measure_run_widget.h"
 #include "gui/docks/measure_widget.h"
+#include "gui/docks/sweep_widget.h"
 #include "gui/view/image_widget.h"
 #include "tests/gui/window_test.h"
 
@@ -88,6 +95,128 @@ class TestMeasureDock : public WindowTest {
     QCOMPARE(status(), before);
     child<QDockWidget>("measureDock")->show();
     QTRY_VERIFY_WITH_TIMEOUT(status().startsWith("Simulated"), patience);
+  }
+
+  /// Sliders edit the session; A and B are two displays, of which the view shows both.
+  void slidesTheDesign() {
+    auto* slider = child<QSlider>("designDirections");
+    const DisplayParams opened = m_model->session().display;
+    QVERIFY(child<QToolButton>("designB")->isChecked());  // init() has edited the display
+    const int before = slider->value();
+    slider->setFocus();
+    QTest::keyClick(slider, Qt::Key_PageUp);
+    QCOMPARE(slider->value(), before + 100);
+    const int directions = m_model->session().display.directions[0];
+    QVERIFY(directions > opened.directions[0]);
+    QCOMPARE(m_model->session().display.directions[1], directions);
+    QCOMPARE(child<QLabel>("designDirectionsValue")->text(), QString::number(directions));
+    QCOMPARE(m_model->undoStack()->undoText(), QString("Change directions across"));
+    QTest::mouseClick(child<QToolButton>("designA"), Qt::LeftButton);
+    const DisplayParams a = m_model->session().display;
+    QVERIFY(a != opened);  // as the file was opened, before init() edited it
+    QTest::mouseClick(child<QToolButton>("designB"), Qt::LeftButton);
+    QCOMPARE(m_model->session().display.directions[0], directions);
+    QTest::mouseClick(child<QPushButton>("compareDesigns"), Qt::LeftButton);
+    auto* view = child<ImageWidget>("pictureView");
+    QTRY_VERIFY_WITH_TIMEOUT(!view->otherImage().isNull(), patience);
+    QVERIFY2(view->notice().isEmpty(), qPrintable(view->notice()));
+    QVERIFY(view->otherImage() != view->image());
+    QCOMPARE(view->titles().last(), QString("A, as opened"));
+    const QImage onA = view->otherImage();
+    child<QAction>("stopComparingAction")->trigger();
+    QTest::mouseClick(child<QToolButton>("designA"), Qt::LeftButton);
+    QTRY_VERIFY_WITH_TIMEOUT(view->image() == onA, patience);
+  }
+
+  void holds_data() {
+    QTest::addColumn<QString>("button");
+    QTest::addColumn<double>("width");
+    QTest::addColumn<int>("directions");
+    QTest::newRow("size") << "holdSize" << 1.0 << 16;
+    QTest::newRow("pitch") << "holdPitch" << 2.0 << 16;
+    QTest::newRow("pixels") << "holdPixels" << 1.0 << 8;
+  }
+  /// Twice as many hogels: smaller ones, a larger panel, or fewer directions.
+  void holds() {
+    QFETCH(QString, button);
+    QFETCH(double, width);
+    QFETCH(int, directions);
+    const double size = m_model->session().display.size[0];
+    QTest::mouseClick(child<QToolButton>(button.toLatin1()), Qt::LeftButton);
+    auto* slider = child<QSlider>("designHogels");
+    // Logarithmic from 8 to 2048, eight doublings over 1000 steps.
+    slider->setValue(slider->value() + 125);
+    const DisplayParams& display = m_model->session().display;
+    QCOMPARE(display.hogels[0], 128);
+    QVERIFY(std::abs(display.size[0] - width * size) < 1e-9);
+    QCOMPARE(display.directions[0], directions);
+  }
+
+  void turnsLeakageOnAndOff() {
+    auto* slider = child<QSlider>("designLeakage");
+    slider->setValue(223);
+    QCOMPARE(m_model->current().psf.sigma, 0.669);
+    QCOMPARE(m_model->current().psf.windowSize, 5);
+    slider->setValue(0);
+    QCOMPARE(m_model->current().psf.windowSize, 1);
+  }
+
+  void tintsTheView() {
+    auto* view = child<ImageWidget>("pictureView");
+    QVERIFY(view->tint().isNull());
+    child<QCheckBox>("tintBox")->setChecked(true);
+    QTRY_VERIFY_WITH_TIMEOUT(!view->tint().isNull(), patience);
+    QTRY_COMPARE_WITH_TIMEOUT(view->tint().size(), view->image().size(), patience);
+    int tinted = 0, plain = 0;
+    for (int y = 0; y < view->tint().height(); ++y)
+      for (int x = 0; x < view->tint().width(); ++x)
+        ++(view->tint().pixelColor(x, y).alpha() > 0 ? tinted : plain);
+    QVERIFY(tinted > 0 && plain > 0);
+    const QImage before = view->tint();
+    editDisplay([](DisplayParams& display) { display.fov = {20, 20}; });
+    QVERIFY(view->tint().isNull());  // it is of the display before
+    QTRY_VERIFY_WITH_TIMEOUT(!view->tint().isNull(), patience);
+    QVERIFY(view->tint() != before);
+    child<QDockWidget>("measureDock")->hide();
+    QVERIFY(view->tint().isNull());
+    child<QDockWidget>("measureDock")->show();
+  }
+
+  /// The plot of megapixels over directions is a parabola.
+  void sweeps() {
+    const QImage before = picture("sweepPlot");
+    // The range is proposed when a parameter is chosen.
+    child<QComboBox>("sweepParameter")->setCurrentText("Field of view");
+    child<QComboBox>("sweepParameter")->setCurrentText("Directions across");
+    child<QComboBox>("sweepFigure")->setCurrentText("Pixels, Mpx");
+    QTest::mouseClick(child<QPushButton>("sweepButton"), Qt::LeftButton);
+    auto* sweep = m_window->findChild<SweepWidget*>();
+    QTRY_VERIFY_WITH_TIMEOUT(!sweep->plot().series.empty(), patience);
+    const Plot plot = sweep->plot();
+    QCOMPARE(plot.titleAcross, std::string("Directions across"));
+    const auto& points = plot.series.front().points;
+    QVERIFY(points.size() > 5);
+    QCOMPARE(points.front().across, 8.0);
+    QCOMPARE(points.back().across, 32.0);
+    for (const Plot::Point& point : points)
+      QVERIFY(std::abs(point.up - 64 * 64 * point.across * point.across / 1e6) < 1e-9);
+    QVERIFY(picture("sweepPlot") != before);
+    child<QComboBox>("sweepFigure")->setCurrentText("PSNR to the ideal view, dB");
+    QVERIFY(sweep->plot().series.front().points.back().up > 10);
+  }
+
+  void measuresAll() {
+    const QString folder = m_folder.filePath("all");
+    m_window->findChild<MeasureRunWidget*>()->measureInto(folder);
+    QTRY_VERIFY2_WITH_TIMEOUT(child<QLabel>("measureAllNote")->text().contains("rows are in all"),
+                              qPrintable(child<QLabel>("measureAllNote")->text()), patience);
+    for (const char* file : {"measure.csv", "measure.html", "plots/mtf.svg"})
+      QVERIFY(QFileInfo::exists(folder + "/" + file));
+    QVERIFY(child<QPushButton>("openMeasurePageButton")->isVisible());
+    // A folder that cannot be made is said.
+    writeFile(m_folder.filePath("file"), "");
+    m_window->findChild<MeasureRunWidget*>()->measureInto(m_folder.filePath("file/all"));
+    QTRY_VERIFY_WITH_TIMEOUT(child<QLabel>("measureAllNote")->text().contains("file"), patience);
   }
 
   void saysWhatIsWrong() {

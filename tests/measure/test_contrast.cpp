@@ -133,7 +133,7 @@ class TestContrast : public QObject {
     Bench bench(display, stateAt({0.01, 0.02, 0.5}));
     const TestLight places = [](const plugin::Ray& ray) {
       const Vec2 point = pointOf(ray, 0);
-      return 1000 * (point.x + 0.05) + 1e-3 * (point.y + 0.05);
+      return grey(1000 * (point.x + 0.05) + 1e-3 * (point.y + 0.05));
     };
     const auto points = bench.look(places, bench.eye(), 0, -0.04, 0.04, 391, 0.0101);
     QCOMPARE(points.size(), std::size_t(391));
@@ -141,7 +141,7 @@ class TestContrast : public QObject {
       const double hogel = std::floor((point.place / 0.08 + 0.5) * 160);
       const double x = 0.08 * ((hogel + 0.5) / 160 - 0.5);
       const double y = 0.08 * ((std::floor((0.0101 / 0.08 + 0.5) * 160) + 0.5) / 160 - 0.5);
-      QVERIFY2(isNear(point.value, 1000 * (x + 0.05) + 1e-3 * (y + 0.05), 1e-4),
+      QVERIFY2(isNear(point.values[0], 1000 * (x + 0.05) + 1e-3 * (y + 0.05), 1e-4),
                qPrintable(QString::number(point.place)));
       const double slope = (0.01 - point.place) / 0.5;
       const double half = std::tan(15 * std::numbers::pi / 180);
@@ -149,7 +149,7 @@ class TestContrast : public QObject {
     }
     const auto down = bench.look(places, bench.eye(), 1, -0.04, 0.04, 7, 0);
     QCOMPARE(down.size(), std::size_t(7));
-    QVERIFY(down[0].place < down[6].place && down[0].value < down[6].value);
+    QVERIFY(down[0].place < down[6].place && down[0].values[0] < down[6].values[0]);
   }
 };
 

@@ -120,6 +120,28 @@ class TestMeasurements : public QObject {
     if (kind < 3) QCOMPARE(compared.size(), tolerances.size());
   }
 
+  /// Crosstalk and angles are measured through 1° at most; contrast through the eye's own pupil.
+  void limitsTheAperture() {
+    const PanelParams display = displayOf(64, 96);
+    const auto through = [&](double degrees) {
+      Session session = sessionOf(display);
+      session.cameras[0].pupil.diameter = 2 * distance * std::tan(degrees * pi / 360);
+      session.cameras[0].pupil.samples = 60;
+      return measured(session, display, {"crosstalk", "angularProfile", "throughFocus"});
+    };
+    const auto narrow = through(0.4);
+    const auto limit = through(1);
+    const auto wide = through(2);
+    QVERIFY(limit.size() > 20);
+    int narrower = 0;
+    for (std::size_t k = 0; k < wide.size(); ++k) {
+      if (wide[k].of.figure == "throughFocus") continue;
+      QVERIFY(std::abs(wide[k].value - limit[k].value) < 1e-12 || std::isnan(wide[k].value));
+      narrower += std::abs(narrow[k].value - limit[k].value) > 1e-3;
+    }
+    QVERIFY(narrower > 5);
+  }
+
   /// The qualified viewing space of a display without leakage is where 95 % of the panel is seen.
   void qualifiedSpace() {
     const PanelParams display = displayOf(64, 24);

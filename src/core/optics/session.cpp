@@ -155,4 +155,11 @@ PanelParams resolved(const PanelParams& display, const LightFieldSize& fromFile)
   return result;
 }
 
+PanelParams withCounts(PanelParams display, const DisplayParams& known) {
+  for (const auto counts : {&PanelParams::hogels, &PanelParams::directions})
+    for (const std::size_t axis : {0, 1})
+      if (int& count = (display.*counts)[axis]; count < 1) count = (known.*counts)[axis];
+  return display;
+}
+
 }  // namespace hogelscope

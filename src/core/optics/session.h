@@ -54,6 +54,9 @@ std::vector<std::string> warnings(const Session& session);
 /// InputError if both give them and differ.
 PanelParams resolved(const PanelParams& display, const LightFieldSize& fromFile);
 
+/// Returns the display with the hogels and directions of `known` where it leaves them out.
+PanelParams withCounts(PanelParams display, const DisplayParams& known);
+
 /// Returns the session's display with the viewing distance of its light field.
 PanelParams displayOf(const Session& session);
 

@@ -57,4 +57,18 @@ void holdPitch(const DisplayParams& before, DisplayParams& after) {
       after.size[axis] *= double(after.hogels[axis]) / before.hogels[axis];
 }
 
+void holdPixels(const DisplayParams& before, DisplayParams& after) {
+  const auto edited =
+      after.hogels != before.hogels ? &DisplayParams::hogels : &DisplayParams::directions;
+  const auto other =
+      edited == &DisplayParams::hogels ? &DisplayParams::directions : &DisplayParams::hogels;
+  for (const std::size_t axis : {0, 1}) {
+    const int was = (before.*edited)[axis];
+    const int is = (after.*edited)[axis];
+    int& count = (after.*other)[axis];
+    if (was < 1 || is < 1 || (other == &DisplayParams::directions && count == 1)) continue;
+    count = std::max(1, int(std::lround(double(count) * was / is)));
+  }
+}
+
 }  // namespace hogelscope

@@ -48,4 +48,8 @@ double dioptresAt(double z, double distance);
 /// both are known.
 void holdPitch(const DisplayParams& before, DisplayParams& after);
 
+/// Changes the directions of an edited display, or its hogels if its directions were edited, so
+/// that it keeps about as many pixels along each axis as it had. An axis of one direction keeps it.
+void holdPixels(const DisplayParams& before, DisplayParams& after);
+
 }  // namespace hogelscope

@@ -207,7 +207,7 @@ void MainWindow::connectDocks() {
             m_method = method;
             render();
           });
-  m_ui->measureView->setModel(m_model);
+  connectMeasuring();
   m_ui->reportPanel->setModel(m_model, m_ui->fileMenu, m_ui->statesMenu);
   connect(m_ui->reportPanel, &ReportDock::failed, m_messages, &Messages::showError);
   connect(m_ui->reportPanel, &ReportDock::comparisonAsked, this, [this](const QString& file) {
@@ -247,12 +247,28 @@ void MainWindow::connectDocks() {
   connect(m_imageCommands, &ImageCommands::done, m_messages, &Messages::showMessage);
 }
 
+void MainWindow::connectMeasuring() {
+  m_ui->measureView->setModel(m_model);
+  connect(m_ui->measureView, &MeasureWidget::tintChanged, m_ui->pictureView, &ImageWidget::setTint);
+  connect(m_ui->measureView, &MeasureWidget::comparisonAsked, this,
+          [this](const DisplayParams& opened) {
+            Session session = m_model->session();
+            session.display = opened;
+            m_imageCommands->compareWithDesign(tr("A, as opened"), session);
+            findChild<QAction*>("wipeAction")->setChecked(true);
+            m_ui->pictureView->setMode(ImageWidget::Mode::wipe);
+          });
+}
+
 /// Runs last, because keys are assigned to all actions.
 void MainWindow::addEditing() {
   auto* camera = new CameraCommands(m_ui->cameraMenu, m_model, this);
   connect(camera, &CameraCommands::failed, m_messages, &Messages::showError);
   m_player = new CameraPlayer(m_ui->cameraMenu, m_model, this);
-  connect(m_player, &CameraPlayer::moved, this, &MainWindow::render);
+  connect(m_player, &CameraPlayer::moved, this, [this] {
+    m_ui->pictureView->setTint({});  // it is of the session's state
+    render();
+  });
   connect(m_player, &CameraPlayer::failed, m_messages, &Messages::showError);
   auto* edit = new EditCommands(m_ui->editMenu, m_model, this);
   connect(edit, &EditCommands::failed, m_messages, &Messages::showError);

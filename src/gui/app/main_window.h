@@ -49,6 +49,7 @@ class MainWindow : public QMainWindow {
   void connectModel();
   void addDocks();
   void connectDocks();
+  void connectMeasuring();
   void fillToolBar();
   void addTopBar();
   void connectWorker();

@@ -183,7 +183,7 @@ void WindowLayout::resize(const Workspace& workspace) {
   m_window->resizeDocks(
       {m_parts.states, m_parts.scene, m_parts.properties, m_parts.measure, m_parts.tradeoff},
       {hasScene ? atWidth(width, 320, 640) : 230, atWidth(width, 320, 640),
-       atWidth(width, 296, 320), 3 * width / 5, 3 * width / 5},
+       atWidth(width, 296, 320), 2 * width / 3, 3 * width / 5},
       Qt::Horizontal);
   m_window->resizeDocks({m_parts.scene, m_parts.states}, {height * 11 / 20, height * 9 / 20},
                         Qt::Vertical);

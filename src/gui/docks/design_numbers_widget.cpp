@@ -51,11 +51,8 @@ class DepthBar : public QWidget {
   }
 };
 
-DesignNumbersWidget::DesignNumbersWidget(const SessionModel* model, QWidget* parent)
-    : QWidget(parent),
-      m_ui(std::make_unique<Ui::DesignNumbers>()),
-      m_model(model),
-      m_bar(new DepthBar) {
+DesignNumbersWidget::DesignNumbersWidget(const SessionModel* model, Form form)
+    : m_ui(std::make_unique<Ui::DesignNumbers>()), m_model(model), m_bar(new DepthBar) {
   m_ui->setupUi(this);
   m_ui->designCard->setAttribute(Qt::WA_StyledBackground);
   m_bar->setObjectName("depthBar");
@@ -65,8 +62,24 @@ DesignNumbersWidget::DesignNumbersWidget(const SessionModel* model, QWidget* par
   m_ui->column->setContentsMargins(scaled(12), scaled(4), scaled(12), scaled(4));
   m_ui->column->setSpacing(scaled(4));
   m_ui->column->insertWidget(1, m_bar);
+  if (form == Form::strip) arrangeStrip();
   onAnyChange(model, this, &DesignNumbersWidget::showNumbers);
   showNumbers();
+}
+
+/// Moves all numbers into one row, without the depths below.
+void DesignNumbersWidget::arrangeStrip() {
+  m_bar->hide();
+  m_ui->depthLegend->hide();
+  m_ui->designCard->setObjectName("designStrip");
+  m_ui->directionsPerPupil->hide();
+  int column = 0;
+  for (QLabel* cell : {m_ui->hogelPitch, m_ui->hogelArcmin, m_ui->degreesPerDirection,
+                       m_ui->sharpDepths, m_ui->megapixels}) {
+    cell->setObjectName(QStringLiteral("strip_") + cell->objectName());
+    m_ui->cardLayout->setColumnStretch(column, cell == m_ui->sharpDepths ? 2 : 1);
+    m_ui->cardLayout->addWidget(cell, 0, column++);
+  }
 }
 
 DesignNumbersWidget::~DesignNumbersWidget() = default;
@@ -83,13 +96,8 @@ void DesignNumbersWidget::setSource(const std::optional<ViewSource>& source) {
 
 /// Returns zeros if they cannot be worked out.
 DesignNumbers DesignNumbersWidget::numbers() const {
-  PanelParams display = displayOf(m_model->session());
-  for (const auto counts : {&PanelParams::hogels, &PanelParams::directions})
-    for (const std::size_t axis : {0, 1}) {
-      int& count = (display.*counts)[axis];
-      if (count < 1) count = (m_known.*counts)[axis];
-      if (count < 1) return {};
-    }
+  const PanelParams display = withCounts(displayOf(m_model->session()), m_known);
+  if (display.hogels[0] < 1 || display.directions[0] < 1) return {};
   try {
     return designNumbers(display, m_model->current().camera.eye);
   } catch (const std::exception&) {
@@ -115,10 +123,13 @@ void DesignNumbersWidget::showNumbers() {
     cell->setAccessibleName(QString("%1 %2, %3").arg(number, unit, caption));
   };
   say(m_ui->hogelPitch, inDigits(n.hogelPitch, 1000), tr("mm"), tr("hogel pitch"));
-  say(m_ui->hogelArcmin, inDigits(n.hogelArcmin), tr("arcmin"), tr("hogel pitch at the eye"));
+  const bool isStrip = m_bar->isHidden();
+  say(m_ui->hogelArcmin, inDigits(n.hogelArcmin), tr("arcmin"),
+      isStrip ? tr("at the eye") : tr("hogel pitch at the eye"));
   say(m_ui->degreesPerDirection, inDigits(n.degreesPerDirection), "°", tr("each direction"));
   say(m_ui->directionsPerPupil, inDigits(n.directionsPerPupil), "", tr("directions in the pupil"));
-  say(m_ui->megapixels, inDigits(n.megapixels), tr("Mpx"), tr("pixels behind lenses"));
+  say(m_ui->megapixels, inDigits(n.megapixels), tr("Mpx"),
+      isStrip ? tr("pixels") : tr("pixels behind lenses"));
   say(m_ui->sharpDepths, n.depthFront > 0 ? rangeText(sharp) : "–", "",
       tr("sharp for this eye, cm"));
   QString legend = tr("<span style='color: %1'>■</span> sharp").arg(t.good.name());

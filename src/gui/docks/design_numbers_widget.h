@@ -21,7 +21,10 @@ struct ViewSource;
 
 class DesignNumbersWidget : public QWidget {
  public:
-  explicit DesignNumbersWidget(const SessionModel* model, QWidget* parent = nullptr);
+  /// A card of two columns over the depths, or a row of numbers alone.
+  enum class Form { card, strip };
+
+  explicit DesignNumbersWidget(const SessionModel* model, Form form = Form::card);
   ~DesignNumbersWidget() override;
 
   /// Sets the current light field: its depths, and the hogels and directions of a display that
@@ -32,6 +35,7 @@ class DesignNumbersWidget : public QWidget {
   void changeEvent(QEvent* event) override;
 
  private:
+  void arrangeStrip();
   void showNumbers();
   [[nodiscard]] DesignNumbers numbers() const;
 

@@ -1,20 +1,25 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "gui/docks/measure_widget.h"
 
+#include <QCheckBox>
 #include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QPainter>
 #include <QPushButton>
+#include <QScrollArea>
 #include <cmath>
 
 #include "chart/depth_bar.h"
 #include "chart/depth_budget_chart.h"
 #include "chart/map_painting.h"
+#include "chart/plot_painting.h"
 #include "core/base/error.h"
 #include "core/base/parallel.h"
-#include "gui/docks/chart_colours.h"
-#include "gui/docks/plot_saver.h"
+#include "gui/docks/design_numbers_widget.h"
+#include "gui/docks/design_sliders.h"
+#include "gui/docks/measure_run_widget.h"
+#include "gui/docks/painted_plot.h"
+#include "gui/docks/sweep_widget.h"
 #include "gui/session/session_forms.h"
 #include "gui/widgets/polled_bar.h"
 #include "gui/widgets/task.h"
@@ -23,33 +28,6 @@
 namespace hogelscope {
 
 namespace {
-
-/// A plot that a function paints, with a title and "Save plot…".
-class PaintedPlot : public QWidget {
- public:
-  PaintedPlot(const QString& title, Paint paint, Paint paintFile)
-      : m_title(title), m_paint(std::move(paint)) {
-    setMinimumSize(scaled(220), scaled(120));
-    new PlotSaver(this, title, {720, 420}, std::move(paintFile));
-  }
-
- protected:
-  void paintEvent(QPaintEvent*) override {
-    QPainter painter(this);
-    painter.setRenderHint(QPainter::Antialiasing);
-    painter.setFont(chartFont());
-    painter.fillRect(rect(), chartColours().background);
-    painter.setPen(chartColours().text);
-    const double line = 1.6 * painter.fontMetrics().height();
-    painter.drawText(QRectF(scaled(8), 0, width(), line), Qt::AlignVCenter, m_title);
-    painter.translate(0, line);
-    m_paint(painter, QSizeF(width(), height() - line));
-  }
-
- private:
-  QString m_title;
-  Paint m_paint;
-};
 
 /// Returns the maps' figures in closed form, or as the engine has them.
 std::vector<MeasuredFigure> mapFigures(const Session& session, const PanelParams& display,
@@ -85,41 +63,26 @@ MeasureWidget::MeasureWidget(QWidget* parent)
       m_task(new Task(this)),
       m_progress(new PolledBar([this] { return m_task->share(); }, this)),
       m_status(new QLabel),
-      m_fit(new QPushButton) {
+      m_fit(new QPushButton(tr("&Fit the content"))),
+      m_tints(new QCheckBox(tr("&Tint what is not sharp"))),
+      m_area(new QScrollArea),
+      m_controls(new QVBoxLayout),
+      m_right(new QVBoxLayout) {
   constexpr int restTime = 400;  // ms
   m_rest.setSingleShot(true);
   m_rest.setInterval(restTime);
-  m_status->setObjectName("measureStatus");
-  m_status->setTextFormat(Qt::PlainText);
-  m_fit->setObjectName("fitContentButton");
-  m_fit->setText(tr("&Fit the content"));
-  m_fit->setEnabled(false);
-  auto* grid = new QGridLayout(this);
-  grid->addWidget(makePlot("contrastPlot", tr("Contrast over depth and detail"),
-                           tr("Gratings on planes, as this eye sees them: bright is sharp; lines "
-                              "of contrast 0.5 and 0.1")),
-                  0, 0);
-  grid->addWidget(makePlot("depthsPlot", tr("Depth of the content"),
-                           tr("The pixels of this eye's view over depth; green is what the display "
-                              "shows sharply and is comfortable for two eyes")),
-                  1, 0);
-  grid->addWidget(makePlot("zonePlot", tr("Viewing zone from above"),
-                           tr("The share of the panel that sends light to each place; the line is "
-                              "0.95")),
-                  0, 1);
-  auto* column = new QVBoxLayout;
-  column->addWidget(m_fit);
-  column->addWidget(m_status);
-  column->addWidget(m_progress);
-  column->addStretch(1);
-  m_status->setWordWrap(true);
-  grid->addLayout(column, 1, 1);
-  grid->setColumnStretch(0, 3);
-  grid->setColumnStretch(1, 2);
-  grid->setRowStretch(0, 1);
-  grid->setRowStretch(1, 1);
   m_progress->hide();
-  connect(m_fit, &QPushButton::clicked, this, &MeasureWidget::fit);
+  auto* controls = new QWidget;
+  controls->setLayout(m_controls);
+  m_controls->setSpacing(scaled(12));
+  m_area->setWidget(controls);
+  m_area->setWidgetResizable(true);
+  m_area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  auto* columns = new QHBoxLayout(this);
+  columns->setContentsMargins(0, 0, 0, 0);
+  columns->setSpacing(0);
+  columns->addWidget(m_area);
+  columns->addLayout(m_right, 1);
   connect(&m_rest, &QTimer::timeout, this, &MeasureWidget::simulate);
   connect(m_task, &Task::stopped, m_progress, &QWidget::hide);
   connect(m_task, &Task::failed, this, [this](const QString& line) {
@@ -132,34 +95,94 @@ MeasureWidget::~MeasureWidget() {
   m_task->abandon();
 }
 
-QWidget* MeasureWidget::makePlot(const char* name, const QString& title, const QString& tip) {
-  const QString which = name;
-  const auto paint = [this, which](QPainter& painter, const QSizeF& size,
-                                   const ChartColours& colours) {
-    if (which != "depthsPlot")
-      return paintMap(painter, size, which == "zonePlot" ? m_shown.zone : m_shown.contrast,
-                      colours);
-    if (m_shown.depths)
-      paintDepths(painter, QRectF({12, 0}, size - QSizeF(24, 4)),
-                  {*m_shown.depths, depthBars(*m_shown.depths, m_shown.end)}, colours);
-  };
-  auto* plot = new PaintedPlot(
-      title,
-      [paint](QPainter& painter, const QSizeF& size) { paint(painter, size, chartColours()); },
-      [paint](QPainter& painter, const QSizeF& size) { paint(painter, size, printColours()); });
-  plot->setObjectName(name);
-  plot->setToolTip(tip);
-  plot->setAccessibleName(title);
-  return plot;
-}
-
 void MeasureWidget::setModel(SessionModel* model) {
   m_model = model;
+  m_sliders = new DesignSliders(model);
+  m_sweep = new SweepWidget(model, [this] { return m_sliders->hold(); });
+  m_numbers = new DesignNumbersWidget(model, DesignNumbersWidget::Form::strip);
+  addControls();
+  auto* grid = new QGridLayout;
+  grid->setSpacing(scaled(4));
+  addPlots(grid);
+  m_right->addWidget(m_numbers);
+  m_right->addLayout(grid, 1);
   onAnyChange(model, this, &MeasureWidget::follow);
+}
+
+void MeasureWidget::addControls() {
+  m_status->setObjectName("measureStatus");
+  m_status->setTextFormat(Qt::PlainText);
+  m_status->setWordWrap(true);
+  m_fit->setObjectName("fitContentButton");
+  m_fit->setProperty("primary", true);
+  m_fit->setEnabled(false);
+  m_tints->setObjectName("tintBox");
+  m_tints->setToolTip(
+      tr("Tints the simulated view where content is not sharp on this display, or not comfortable "
+         "for two eyes: blue behind the limits, red in front of them"));
+  const auto heading = [](const QString& text) {
+    auto* label = new QLabel(text);
+    label->setFont(textFont(TextSize::base, QFont::DemiBold));
+    return label;
+  };
+  for (QWidget* widget : std::initializer_list<QWidget*>{
+           m_sliders, m_tints, m_fit, m_status, m_progress, heading(tr("Sweep")), m_sweep,
+           heading(tr("All figures")), new MeasureRunWidget(m_model)})
+    m_controls->addWidget(widget);
+  m_controls->addStretch(1);
+  m_fit->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+  constexpr int scrollBar = 10;
+  m_area->setFixedWidth(m_area->widget()->minimumSizeHint().width() + scaled(scrollBar));
+  connect(m_fit, &QPushButton::clicked, this, &MeasureWidget::fit);
+  connect(m_tints, &QCheckBox::toggled, this, &MeasureWidget::showTint);
+  connect(m_sliders, &DesignSliders::comparisonAsked, this, &MeasureWidget::comparisonAsked);
+}
+
+void MeasureWidget::addPlots(QGridLayout* grid) {
+  const auto add = [grid](int row, int column, auto... parts) {
+    auto* plot = new PaintedPlot(parts...);
+    grid->addWidget(plot, row, column);
+    return plot;
+  };
+  add(0, 0, "contrastPlot", tr("Contrast over depth and detail"),
+      tr("Gratings on planes, as this eye sees them: bright is sharp; lines of contrast 0.5 and "
+         "0.1"),
+      [this](QPainter& painter, const QSizeF& size, const ChartColours& colours) {
+        paintMap(painter, size, m_shown.contrast, colours);
+      });
+  add(0, 1, "zonePlot", tr("Viewing zone from above"),
+      tr("The share of the panel that sends light to each place; the line is 0.95"),
+      [this](QPainter& painter, const QSizeF& size, const ChartColours& colours) {
+        paintMap(painter, size, m_shown.zone, colours);
+      });
+  add(1, 0, "depthsPlot", tr("Depth of the content"),
+      tr("The pixels of this eye's view over depth; green is what the display shows sharply and is "
+         "comfortable for two eyes"),
+      [this](QPainter& painter, const QSizeF& size, const ChartColours& colours) {
+        if (m_shown.depths)
+          paintDepths(painter, QRectF({12, 0}, size - QSizeF(24, 4)),
+                      {*m_shown.depths, depthBars(*m_shown.depths, m_shown.end)}, colours);
+      });
+  auto* swept = add(1, 1, "sweepPlot", tr("Sweep"), tr("A figure of the designs that were swept"),
+                    [this](QPainter& painter, const QSizeF& size, const ChartColours& colours) {
+                      const Plot plot = m_sweep->plot();
+                      if (!plot.series.empty()) return paintPlot(painter, size, plot, colours);
+                      painter.setPen(colours.text2);
+                      painter.drawText(QRectF({}, size).adjusted(12, 0, -12, 0),
+                                       Qt::AlignCenter | Qt::TextWordWrap,
+                                       tr("Nothing is swept yet. Sweep shows how a figure follows "
+                                          "one quantity of the design."));
+                    });
+  connect(m_sweep, &SweepWidget::plotChanged, swept, qOverload<>(&QWidget::update));
+  grid->setColumnStretch(0, 3);
+  grid->setColumnStretch(1, 2);
+  grid->setRowStretch(0, 1);
+  grid->setRowStretch(1, 1);
 }
 
 void MeasureWidget::setSource(const std::optional<ViewSource>& source) {
   m_source = source;
+  m_numbers->setSource(source);
   follow();
 }
 
@@ -172,6 +195,8 @@ void MeasureWidget::hideEvent(QHideEvent* event) {
   QWidget::hideEvent(event);
   m_rest.stop();
   m_task->stop();
+  m_shown.tint = {};
+  showTint();
 }
 
 /// The session with its current state alone.
@@ -183,13 +208,9 @@ Session MeasureWidget::ofCurrent() const {
 
 /// The display with the light field's counts; none while it lacks them.
 std::optional<PanelParams> MeasureWidget::display() const {
-  PanelParams display = displayOf(m_model->session());
-  for (const auto counts : {&PanelParams::hogels, &PanelParams::directions})
-    for (const std::size_t axis : {0, 1}) {
-      int& count = (display.*counts)[axis];
-      if (count < 1 && m_source) count = (m_source->display.*counts)[axis];
-      if (count < 1) return std::nullopt;
-    }
+  const PanelParams display = withCounts(
+      displayOf(m_model->session()), m_source ? DisplayParams(m_source->display) : DisplayParams());
+  if (display.hogels[0] < 1 || display.directions[0] < 1) return std::nullopt;
   return display;
 }
 
@@ -197,6 +218,8 @@ std::optional<PanelParams> MeasureWidget::display() const {
 void MeasureWidget::follow() {
   if (!isVisible() || m_model == nullptr || m_model->session().cameras.empty()) return;
   m_task->stop();
+  m_shown.tint = {};
+  showTint();
   showClosedForms();
   m_rest.start();
 }
@@ -235,9 +258,11 @@ void MeasureWidget::simulate() {
       std::string obstacle = "no depth of what this eye sees is known";
       std::optional<DepthProposal> proposal;
       if (!figures.dioptres.empty()) proposal = proposedFit(session, panel, figures, obstacle);
-      m_task->queue([this, session, figures, proposal, obstacle] {
+      const QImage tint =
+          depthTint({depths.picture.width, depths.picture.height}, depths.first, figures.limits);
+      m_task->queue([this, session, figures, proposal, obstacle, tint] {
         if (session == ofCurrent())  // no edit since
-          showDepths(figures, proposal, QString::fromStdString(obstacle));
+          showDepths(figures, proposal, QString::fromStdString(obstacle), tint);
       });
     }
     const auto figures = mapFigures(session, panel, true, part(progress, 0.3, 1));
@@ -257,8 +282,10 @@ void MeasureWidget::simulate() {
 }
 
 void MeasureWidget::showDepths(const DepthFigures& figures, std::optional<DepthProposal> proposal,
-                               const QString& obstacle) {
+                               const QString& obstacle, const QImage& tint) {
   m_shown.depths = figures;
+  m_shown.tint = tint;
+  showTint();
   m_shown.end = barsEnd(figures, nullptr);
   m_shown.proposal = std::move(proposal);
   const int inside = int(std::lround(100 * figures.inside));
@@ -271,6 +298,10 @@ void MeasureWidget::showDepths(const DepthFigures& figures, std::optional<DepthP
                                  : QString::fromStdString(placeText(*m_shown.proposal)))
                         : obstacle);
   update();
+}
+
+void MeasureWidget::showTint() {
+  Q_EMIT tintChanged(m_tints->isChecked() ? m_shown.tint : QImage());
 }
 
 void MeasureWidget::fit() {

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The dock "Measure": what the display shows to the current eye, and whether the content fits.
-// Closed forms follow every edit; when edits rest, the engine's own figures take their place.
+// The dock "Measure": sliders of the design, what the display shows to the current eye, whether the
+// content fits, a sweep. Closed forms follow every edit; when edits rest, the engine's own figures
+// take their place.
 #pragma once
 
+#include <QImage>
 #include <QTimer>
 #include <QWidget>
 #include <optional>
@@ -11,13 +13,20 @@
 #include "measure/depth_budget_run.h"
 #include "page/map_plot.h"
 
+class QCheckBox;
+class QGridLayout;
 class QLabel;
 class QPushButton;
+class QScrollArea;
+class QVBoxLayout;
 
 namespace hogelscope {
 
+class DesignNumbersWidget;
+class DesignSliders;
 class PolledBar;
 class SessionModel;
+class SweepWidget;
 class Task;
 
 class MeasureWidget : public QWidget {
@@ -31,6 +40,13 @@ class MeasureWidget : public QWidget {
   /// Sets the session's light field; none while there is no one.
   void setSource(const std::optional<ViewSource>& source);
 
+ Q_SIGNALS:
+  /// Passes the tint of the current state's view, in its size, transparent where content is sharp;
+  /// null: none.
+  void tintChanged(const QImage& tint);
+  /// Asks for views on the display as it was opened beside those on the session's own.
+  void comparisonAsked(const hogelscope::DisplayParams& opened);
+
  protected:
   void showEvent(QShowEvent* event) override;
   void hideEvent(QHideEvent* event) override;
@@ -43,14 +59,17 @@ class MeasureWidget : public QWidget {
     std::optional<DepthFigures> depths;
     double end = 1;  ///< of the depths' bars, dioptres
     std::optional<DepthProposal> proposal;
+    QImage tint;  ///< null while it is not known
   };
 
-  QWidget* makePlot(const char* name, const QString& title, const QString& tip);
+  void addControls();
+  void addPlots(QGridLayout* grid);
   void follow();
   void showClosedForms();
   void simulate();
   void showDepths(const DepthFigures& figures, std::optional<DepthProposal> proposal,
-                  const QString& obstacle);
+                  const QString& obstacle, const QImage& tint);
+  void showTint();
   void showStatus(const QString& text);
   void fit();
   [[nodiscard]] Session ofCurrent() const;
@@ -64,6 +83,13 @@ class MeasureWidget : public QWidget {
   PolledBar* m_progress;
   QLabel* m_status;
   QPushButton* m_fit;
+  QCheckBox* m_tints;
+  QScrollArea* m_area;
+  QVBoxLayout* m_controls;  ///< in it
+  QVBoxLayout* m_right;     ///< numbers over plots
+  DesignSliders* m_sliders = nullptr;
+  SweepWidget* m_sweep = nullptr;
+  DesignNumbersWidget* m_numbers = nullptr;
 };
 
 }  // namespace hogelscope

@@ -76,7 +76,7 @@ double shareOf(const Axis& range, double value) {
   return range.high > range.low ? std::clamp(range.at(value), 0.0, 1.0) : 1;
 }
 
-QPixmap markOf(std::size_t series) {
+QPixmap seriesMark(std::size_t series) {
   constexpr int side = 12, sharpness = 3;
   return pixmapOf(scaled(side), sharpness, [series](QPainter& painter, const QSizeF& size) {
     painter.setPen(Qt::NoPen);
@@ -138,7 +138,7 @@ void TestTable::fill(const ReportData& data, std::size_t test) {
   const double mean = summary.means[meanPsnrSeen];
   const double similarity = summary.means[meanSsimSeen];
   auto* title = nameCell(text(plotted.name), text(data.tests[test]));
-  title->setData(markOf(std::size_t(std::ranges::find(curves, plotted.curve) - curves.begin())),
+  title->setData(seriesMark(std::size_t(std::ranges::find(curves, plotted.curve) - curves.begin())),
                  Qt::DecorationRole);
   setItem(row, name, title);
   setItem(row, rate, numberCell(text(rounded(plotted.rate, 2)), plotted.rate));

@@ -28,7 +28,7 @@ namespace hogelscope {
 
 namespace {
 
-enum Role { detailRole = Qt::UserRole, pictureRole, currentRole, psnrRole, shareRole };
+enum StateRole { detailRole = Qt::UserRole, pictureRole, currentRole, psnrRole, shareRole };
 
 /// Returns a row's second line: where the eye is, lens and leakage.
 QString detailOf(const DisplayParams& display, const CameraState& state) {

@@ -36,7 +36,7 @@ bool isUsable(const QAction& action) {
 constexpr const char* usedKey = "paletteRecent";
 constexpr int mostRows = 10;
 
-enum Role { entryRole = Qt::UserRole, pathRole, rightRole };
+enum EntryRole { entryRole = Qt::UserRole, pathRole, rightRole };
 
 /// Paints an entry: title, path, and at the right the key in a frame. A field has no path, since it
 /// stands in its title, and a value instead of a key.

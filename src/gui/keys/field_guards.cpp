@@ -7,6 +7,7 @@
 #include <QCoreApplication>
 #include <QKeyEvent>
 #include <QLineEdit>
+#include <QSlider>
 
 namespace hogelscope {
 
@@ -15,6 +16,13 @@ namespace {
 bool isText(const QKeyEvent& key) {
   const Qt::KeyboardModifiers others = key.modifiers() & ~(Qt::ShiftModifier | Qt::KeypadModifier);
   return others == Qt::NoModifier && key.key() < Qt::Key_Escape;
+}
+
+/// Whether the key moves a slider.
+bool isMove(const QKeyEvent& key) {
+  const int code = key.key();
+  return (key.modifiers() & ~Qt::KeypadModifier) == Qt::NoModifier && code >= Qt::Key_Home &&
+         code <= Qt::Key_PageDown;  // with the arrows between them
 }
 
 /// Returns the line edit itself, or the one in a spin box.
@@ -33,7 +41,8 @@ bool isIdle(const QLineEdit& line, const QKeyEvent& key) {
 
 /// Whether a key is kept from the field, or from the shortcuts.
 bool filterKey(QObject* watched, QKeyEvent& key) {
-  if (qobject_cast<QComboBox*>(watched) != nullptr && isText(key)) {
+  if ((qobject_cast<QComboBox*>(watched) != nullptr && isText(key)) ||
+      (qobject_cast<QSlider*>(watched) != nullptr && isMove(key))) {
     key.accept();
     return true;
   }
@@ -77,7 +86,8 @@ void focusLastField(QWidget* part) {
     return part->isAncestorOf(each) && each->isEnabled() && each->isVisibleTo(part) &&
            (each->focusPolicy() & Qt::TabFocus) != 0 &&
            (qobject_cast<const QAbstractSpinBox*>(each) || qobject_cast<const QLineEdit*>(each) ||
-            qobject_cast<const QComboBox*>(each) || qobject_cast<const QCheckBox*>(each));
+            qobject_cast<const QComboBox*>(each) || qobject_cast<const QCheckBox*>(each) ||
+            qobject_cast<const QSlider*>(each));
   };
   QWidget* field = part->focusWidget();  // Qt remembers it for each widget, also while hidden
   if (field == nullptr || !isField(field)) {

@@ -26,11 +26,19 @@ void Comparison::start(const Session& session, const QString& file) {
   const Session other = withLightField(session, file.toStdString());
   const bool hasOwnDisplay = isSessionFile(file.toStdString());
   m_file = file;
-  m_task.start([=, this](const Progress& progress) {
-    const Other read{QFileInfo(file).fileName(), loadViewSource(other, progress), false,
-                     hasOwnDisplay};
-    return [this, read] {
-      m_other = read;
+  read({.name = QFileInfo(file).fileName(), .hasOwnDisplay = hasOwnDisplay}, other);
+}
+
+void Comparison::startDesign(const QString& name, const Session& session) {
+  m_file.clear();
+  read({.name = name, .hasOwnDisplay = true}, session);
+}
+
+void Comparison::read(Other other, const Session& session) {
+  m_task.start([=, this](const Progress& progress) mutable {
+    other.source = loadViewSource(session, progress);
+    return [this, other] {
+      m_other = other;
       Q_EMIT changed();
     };
   });

@@ -24,6 +24,8 @@ class Comparison : public QObject {
   /// Reads a light field (withLightField) for the session's states and stops an older reading. The
   /// current comparison stays until the new one is read. Throws InputError.
   void start(const Session& session, const QString& file);
+  /// Reads a session's own light field for its display, in the same way.
+  void startDesign(const QString& name, const Session& session);
   /// Compares with the ideal view of the session's own light field while that is live.
   void startIdeal();
   /// Compares with the session's own light field on its display as it is now, if that has been
@@ -57,6 +59,7 @@ class Comparison : public QObject {
     bool isIdeal = false;
     bool hasOwnDisplay = false;
   };
+  void read(Other other, const Session& session);
   void set(const Other& other);
 
   std::optional<ViewSource> m_own;

@@ -225,6 +225,11 @@ bool ImageCommands::compareWith(const QString& file) {
   return true;
 }
 
+void ImageCommands::compareWithDesign(const QString& name, const Session& session) {
+  m_comparison->startDesign(name, session);
+  showComparison();
+}
+
 bool ImageCommands::saveImage(const QString& file) {
   if (!isRight()) {  // outdated while its name was asked for
     Q_EMIT failed(tr("%1: not written: there is no picture of the current state").arg(file));

@@ -45,6 +45,8 @@ class ImageCommands : public QObject {
   void drop(const QString& why);
   /// Starts reading. Errors are reported through failed(), now or later.
   bool compareWith(const QString& file);
+  /// Compares with another design: a session with a display of its own.
+  void compareWithDesign(const QString& name, const Session& session);
   /// Saves the image as shown, unless it is outdated. The extension gives the format.
   bool saveImage(const QString& file);
 

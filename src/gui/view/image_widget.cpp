@@ -207,6 +207,12 @@ void ImageWidget::setGamma(double gamma) {
   setTone({gain(), std::round(10 * gamma) / 10});
 }
 
+void ImageWidget::setTint(const QImage& tint) {
+  if (tint.isNull() && m_tint.image().isNull()) return;
+  m_tint = ZoomableImage(tint);
+  update();
+}
+
 void ImageWidget::markPixels(const QRegion& pixels) {
   m_marked = pixels;
   m_marks.clear();

@@ -56,6 +56,8 @@ class ImageWidget : public QWidget {
   void setGain(double gain) { setTone({gain, gamma()}); }
   /// Sets the gamma of what is shown, 0.2 … 5.
   void setGamma(double gamma);
+  /// Sets what is painted over the first image, in its size; null: nothing.
+  void setTint(const QImage& tint);
   /// Outlines pixels.
   void markPixels(const QRegion& pixels);
   /// Selects a rectangle of pixels; null: none.
@@ -74,6 +76,7 @@ class ImageWidget : public QWidget {
   [[nodiscard]] const QImage& seen() const { return m_images[0].seen; }
   [[nodiscard]] const QImage& otherSeen() const { return m_images[1].seen; }
   [[nodiscard]] QStringList titles() const { return {m_images[0].title, m_images[1].title}; }
+  [[nodiscard]] const QImage& tint() const { return m_tint.image(); }
   [[nodiscard]] const QRect& region() const { return m_region; }
   [[nodiscard]] const QRegion& markedPixels() const { return m_marked; }
   [[nodiscard]] const Viewport& viewport() const { return m_viewport; }
@@ -162,6 +165,7 @@ class ImageWidget : public QWidget {
                    std::size_t which) const;
 
   std::array<Shown, 2> m_images;
+  ZoomableImage m_tint;
   ZoomableImage m_difference;  ///< in Mode::difference only, as is the next
   std::shared_ptr<const ErrorMap> m_map;
   Task* m_mapping;          ///< computes the difference of large images

@@ -92,6 +92,7 @@ void ImageWidget::paintOne(QPainter& painter, const QRect& pane, const QRect& cl
                            std::size_t which) const {
   const Placement at = placement(pane);
   m_images[which].toned.paint(painter, clip, at);
+  if (which == 0 && tint().size() == image().size()) m_tint.paint(painter, clip, at);
   m_images[which].hatch.paint(painter, clip, at);
   paintValues(painter, clip, at, which);
   paintMarks(painter, clip, at);

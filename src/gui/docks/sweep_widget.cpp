@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "gui/docks/sweep_widget.h"
+
+#include <QComboBox>
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <algorithm>
+#include <cmath>
+
+#include "gui/session/session_forms.h"
+#include "gui/widgets/polled_bar.h"
+#include "gui/widgets/task.h"
+
+namespace hogelscope {
+
+namespace {
+
+constexpr std::size_t mostValues = 12;  // of a sweep
+
+struct SweptFigure {
+  const char* name;
+  const char* title;
+};
+
+/// The figures that a sweep measures; the last one needs a live scene.
+constexpr std::array figures{SweptFigure{"depthOfField50", "Depth at contrast 0.5, m"},
+                             SweptFigure{"depthOfField10", "Depth at contrast 0.1, m"},
+                             SweptFigure{"depthFront", "Sharp in front, m"},
+                             SweptFigure{"viewingZone", "Viewing zone's width, m"},
+                             SweptFigure{"crosstalk", "Crosstalk of two eyes"},
+                             SweptFigure{"angularResolution", "Angular resolution, °"},
+                             SweptFigure{"spatialResolution", "Detail on the panel, 1/mm"},
+                             SweptFigure{"megapixels", "Pixels, Mpx"},
+                             SweptFigure{"psnr:ideal", "PSNR to the ideal view, dB"}};
+
+/// Returns the values of a sweep, evenly spaced as the parameter's slider is.
+std::vector<double> valuesOf(const DesignParameter& parameter, double from, double to) {
+  const double first = parameter.shareOf(from);
+  const double last = parameter.shareOf(to);
+  std::vector<double> values;
+  for (std::size_t k = 0; k < mostValues; ++k)
+    values.push_back(parameter.at(first + (last - first) * double(k) / (mostValues - 1)));
+  std::ranges::sort(values);
+  const auto repeated = std::ranges::unique(values);
+  values.erase(repeated.begin(), repeated.end());
+  return values;
+}
+
+}  // namespace
+
+SweepWidget::SweepWidget(SessionModel* model, std::function<Hold()> hold, QWidget* parent)
+    : QWidget(parent),
+      m_model(model),
+      m_hold(std::move(hold)),
+      m_task(new Task(this)),
+      m_parameter(new QComboBox),
+      m_figure(new QComboBox),
+      m_from(new RealField(this)),
+      m_to(new RealField(this)),
+      m_button(button("sweepButton", {},
+                      tr("Measures designs whose chosen quantity has up to 12 values in the range, "
+                         "for the current eye"))),
+      m_progress(new PolledBar([this] { return m_task->share(); }, this)),
+      m_note(new QLabel) {
+  m_parameter->setObjectName("sweepParameter");
+  m_figure->setObjectName("sweepFigure");
+  m_from->setObjectName("sweepFrom");
+  m_to->setObjectName("sweepTo");
+  m_note->setObjectName("sweepNote");
+  m_note->setWordWrap(true);
+  m_note->setTextFormat(Qt::PlainText);
+  m_note->hide();
+  for (const DesignParameter& one : designParameters()) m_parameter->addItem(one.label);
+  m_parameter->setCurrentIndex(1);
+  for (const SweptFigure& one : figures) m_figure->addItem(tr(one.title));
+  for (QComboBox* box : {m_parameter, m_figure})
+    box->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+  auto* ends = new QHBoxLayout;
+  ends->addWidget(m_from);
+  ends->addWidget(m_to);
+  auto* form = new QFormLayout(this);
+  form->setContentsMargins(0, 0, 0, 0);
+  form->addRow(tr("Parameter"), m_parameter);
+  form->addRow(tr("Range"), ends);
+  form->addRow(m_button);
+  form->addRow(m_progress);
+  form->addRow(tr("Figure"), m_figure);
+  form->addRow(m_note);
+  connect(m_button, &QPushButton::clicked, this, &SweepWidget::sweepOrStop);
+  connect(m_parameter, &QComboBox::currentIndexChanged, this, &SweepWidget::propose);
+  connect(m_figure, &QComboBox::currentIndexChanged, this, &SweepWidget::plotChanged);
+  connect(m_model, &SessionModel::opened, this, &SweepWidget::forget);
+  connect(m_task, &Task::stopped, this, &SweepWidget::showIdle);
+  connect(m_task, &Task::failed, this, [this](const QString& line) {
+    showIdle();
+    m_note->setText(line);
+    m_note->show();
+  });
+  showIdle();
+}
+
+SweepWidget::~SweepWidget() {
+  m_task->abandon();
+}
+
+const DesignParameter& SweepWidget::parameter() const {
+  return designParameters()[std::size_t(m_parameter->currentIndex())];
+}
+
+/// Proposes half of the design's own value to twice of it.
+void SweepWidget::propose() {
+  const DesignParameter& chosen = parameter();
+  const Session& session = m_model->session();
+  if (session.cameras.empty()) return;
+  const double own =
+      std::clamp(chosen.get(session, m_model->currentIndex()), chosen.least, chosen.most);
+  const bool isOff = own == 0;
+  const auto fill = [&](RealField* field, double value) {
+    field->setRange(chosen.least, chosen.most);
+    field->setSingleStep(chosen.isWhole ? 1 : (chosen.most - chosen.least) / 1000);
+    field->usual = {chosen.least, chosen.most};
+    field->unit = chosen.unit;
+    field->setValue(std::clamp(value, chosen.least, chosen.most));
+  };
+  fill(m_from, isOff ? chosen.least : std::ceil(1000 * own / 2) / 1000);
+  fill(m_to, isOff ? chosen.most / 2 : 2 * own);
+}
+
+void SweepWidget::sweepOrStop() {
+  if (m_task->isRunning()) return m_task->stop();
+  Session base = m_model->session();
+  base.cameras = {m_model->current()};
+  Swept swept{&parameter(), valuesOf(parameter(), m_from->value(), m_to->value()), {}};
+  std::vector<Session> designs;
+  for (const double value : swept.values)
+    designs.push_back(withValue(base, 0, *swept.parameter, value, m_hold()));
+  std::vector<std::string> names;
+  for (const SweptFigure& one : figures) names.emplace_back(one.name);
+  if (!base.lightField.isLive()) names.pop_back();
+  m_task->start([=, this, opening = m_opening](const Progress& progress) mutable {
+    swept.rows = measureDesigns(designs, names, progress);
+    return [this, swept, opening] { opening == m_opening ? show(swept) : showIdle(); };
+  });
+  m_note->hide();
+  m_button->setText(tr("&Stop"));
+  m_progress->show();
+}
+
+void SweepWidget::show(const Swept& swept) {
+  m_swept = swept;
+  showIdle();
+  const auto wrong =
+      std::ranges::find_if(swept.rows, [](const SweepRow& row) { return !row.problem.empty(); });
+  if (wrong != swept.rows.end()) {
+    const double value = swept.values[std::size_t(wrong - swept.rows.begin())];
+    m_note->setText(swept.parameter->text(value) + ": " + QString::fromStdString(wrong->problem));
+    m_note->show();
+  }
+  Q_EMIT plotChanged();
+}
+
+void SweepWidget::showIdle() {
+  m_progress->hide();
+  m_button->setText(tr("S&weep"));
+}
+
+void SweepWidget::forget() {
+  m_task->stop();
+  ++m_opening;
+  m_note->hide();
+  m_swept = {};
+  propose();
+  Q_EMIT plotChanged();
+}
+
+Plot SweepWidget::plot() const {
+  Plot plot;
+  if (m_swept.parameter == nullptr) return plot;
+  const auto figure = std::size_t(m_figure->currentIndex());
+  plot.titleAcross = m_swept.parameter->label.toStdString();
+  if (!m_swept.parameter->unit.isEmpty())
+    plot.titleAcross += ", " + m_swept.parameter->unit.toStdString();
+  plot.titleUp = m_figure->currentText().toStdString();
+  plot.hasCurves = true;
+  plot.leastRange = {0, 0.01};
+  Plot::Series series;
+  for (std::size_t k = 0; k < m_swept.values.size(); ++k) {
+    const std::vector<double>& row = m_swept.rows[k].figures;
+    if (figure < row.size() && std::isfinite(row[figure]))
+      series.points.push_back({.across = m_swept.values[k],
+                               .up = row[figure],
+                               .title = {},
+                               .row = k,
+                               .interval = {row[figure], row[figure]}});
+  }
+  if (!series.points.empty()) plot.series.push_back(series);
+  return plot;
+}
+
+}  // namespace hogelscope
