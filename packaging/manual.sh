@@ -48,7 +48,7 @@ screenshots() {
 screenshots 1280x800 "$output/jpeg10.png"
 screenshots 1600x900 data/room.json layoutCompareAction compareIdealAction wipeAction
 screenshots 2560x1440 data/room.json layoutViewAction
-screenshots 1440x900 data/room.json layoutDesignAction designDirections=560 compareDesigns tintBox \
-  sweepButton
+screenshots 1440x900 data/room.json layoutDesignAction designDirections=560 sweepButton \
+  compareDesigns tintBox
 mv resources/manual/window_1440x900.png resources/manual/window_measure.png
 QT_SCALE_FACTOR=2 screenshots 1280x800 data/room.json lightColours

@@ -14,10 +14,10 @@ namespace hogelscope {
 class PaintedPlot : public QWidget {
  public:
   /// Paints in the window's colours, or for print.
-  using PaintIn =
+  using ColouredPaint =
       std::function<void(QPainter& painter, const QSizeF& size, const ChartColours& colours)>;
 
-  PaintedPlot(const char* name, const QString& title, const QString& help, PaintIn paint)
+  PaintedPlot(const char* name, const QString& title, const QString& help, ColouredPaint paint)
       : m_title(title), m_paint(std::move(paint)) {
     setObjectName(name);
     setToolTip(help);
@@ -43,7 +43,7 @@ class PaintedPlot : public QWidget {
 
  private:
   QString m_title;
-  PaintIn m_paint;
+  ColouredPaint m_paint;
 };
 
 }  // namespace hogelscope
