@@ -168,6 +168,33 @@ class TestDesignNumbers : public QObject {
     holdPitch(before, after);
     QCOMPARE(after.size[1], size[1]);
   }
+
+  void theNumberOfPixelsIsHeld() {
+    DisplayParams before = squareDisplay();
+    before.hogels = {200, 100};
+    before.directions = {30, 20};
+    DisplayParams after = before;
+    after.hogels = {400, 300};
+    holdPixels(before, after);
+    QCOMPARE(after.directions, (std::array{15, 7}));  // 20/3 is rounded
+    QCOMPARE(after.hogels, (std::array{400, 300}));
+    after = before;
+    after.directions = {60, 10};
+    holdPixels(before, after);
+    QCOMPARE(after.hogels, (std::array{100, 200}));
+    before.directions = {30, 1};  // of a sheet of cylinders
+    after = before;
+    after.hogels = {100, 50};
+    holdPixels(before, after);
+    QCOMPARE(after.directions, (std::array{60, 1}));
+    after = before;
+    after.hogels = {0, 0};  // left out: nothing is known of them
+    holdPixels(before, after);
+    QCOMPARE(after.directions, before.directions);
+    after.hogels = {100000, 100};  // never none
+    holdPixels(before, after);
+    QCOMPARE(after.directions, (std::array{1, 1}));
+  }
 };
 
 QTEST_APPLESS_MAIN(TestDesignNumbers)

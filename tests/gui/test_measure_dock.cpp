@@ -3,7 +3,6 @@
 // edits rest, the button that fits the content, and undo.
 #include <QCheckBox>
 #include <QComboBox>
-#include <QDir>
 #include <QDockWidget>
 #include <QLabel>
 #include <QPushButton>
@@ -12,6 +11,7 @@
 #include <QUndoStack>
 
 #include "chart/depth_budget_chart.h"
+#include "gui/docks/design_parameters.h"
 #include "gui/docks/measure_run_widget.h"
 #include "gui/docks/measure_widget.h"
 #include "gui/docks/sweep_widget.h"
@@ -116,6 +116,9 @@ class TestMeasureDock : public WindowTest {
     QVERIFY(a != opened);  // as the file was opened, before init() edited it
     QTest::mouseClick(child<QToolButton>("designB"), Qt::LeftButton);
     QCOMPARE(m_model->session().display.directions[0], directions);
+    // A live scene belongs to the display that it was opened for: once B's is there, A needs its
+    // own.
+    QTRY_VERIFY_WITH_TIMEOUT(status().startsWith("Simulated"), patience);
     QTest::mouseClick(child<QPushButton>("compareDesigns"), Qt::LeftButton);
     auto* view = child<ImageWidget>("pictureView");
     QTRY_VERIFY_WITH_TIMEOUT(!view->otherImage().isNull(), patience);
@@ -150,6 +153,36 @@ class TestMeasureDock : public WindowTest {
     QCOMPARE(display.hogels[0], 128);
     QVERIFY(std::abs(display.size[0] - width * size) < 1e-9);
     QCOMPARE(display.directions[0], directions);
+  }
+
+  /// The value down keeps its ratio to the one across, and one direction stays one; the hogels of
+  /// files stay as they are.
+  void keepsRatios() {
+    const auto parameter = [](const std::string& name) {
+      return *std::ranges::find(designParameters(), name, &DesignParameter::name);
+    };
+    Session session = m_model->session();
+    session.display.directions = {40, 1};
+    session.display.fov = {40, 20};
+    session.display.size = {0.5, 0.25};
+    session = withValue(session, 0, parameter("Directions"), 200, Hold::size);
+    QCOMPARE(session.display.directions, (std::array{200, 1}));
+    session = withValue(session, 0, parameter("Fov"), 60, Hold::size);
+    QCOMPARE(session.display.fov, (std::array{60.0, 30.0}));
+    const Session live = withValue(session, 0, parameter("Size"), 1, Hold::pitch);
+    QCOMPARE(live.display.size, (std::array{1.0, 0.5}));
+    QCOMPARE(live.display.hogels, (std::array{128, 128}));
+    session.lightField.layout = Layout::hogels;
+    session.display.hogels = {0, 0};
+    const Session files = withValue(session, 0, parameter("Size"), 1, Hold::pitch);
+    QCOMPARE(files.display.hogels, (std::array{0, 0}));
+  }
+
+  /// The style sheet has no name left that the program does not know: Qt would drop all of it.
+  void readsTheStyleSheet() {
+    const QString sheet = qApp->styleSheet();
+    QVERIFY(sheet.contains("QSlider"));
+    QVERIFY(!sheet.mid(sheet.indexOf("*/")).contains('@'));
   }
 
   void turnsLeakageOnAndOff() {
@@ -203,6 +236,13 @@ class TestMeasureDock : public WindowTest {
     QVERIFY(picture("sweepPlot") != before);
     child<QComboBox>("sweepFigure")->setCurrentText("PSNR to the ideal view, dB");
     QVERIFY(sweep->plot().series.front().points.back().up > 10);
+    // What was swept goes with another session, and so does a sweep that runs.
+    QTest::mouseClick(child<QPushButton>("sweepButton"), Qt::LeftButton);
+    m_model->openNew(m_model->session());
+    QVERIFY(sweep->plot().series.empty());
+    QTRY_COMPARE_WITH_TIMEOUT(child<QPushButton>("sweepButton")->text(), QString("S&weep"),
+                              patience);
+    QVERIFY(sweep->plot().series.empty());
   }
 
   void measuresAll() {

@@ -94,8 +94,12 @@ Session withValue(Session session, std::size_t state, const DesignParameter& par
   DisplayParams& after = session.display;
   if (hold == Hold::pixels && after != before) holdPixels(before, after);
   if (hold != Hold::pitch) return session;
-  if (after.hogels != before.hogels) holdPitch(before, after);
-  if (after.size != before.size && after.hogels == before.hogels)
+  if (after.hogels != before.hogels) {
+    holdPitch(before, after);
+    return session;
+  }
+  // A light field in files has its own number of hogels, which its display may leave out.
+  if (after.size != before.size && session.lightField.isLive())
     for (const std::size_t axis : {0, 1})
       after.hogels[axis] =
           std::max(1, int(std::lround(after.hogels[axis] * after.size[axis] / before.size[axis])));

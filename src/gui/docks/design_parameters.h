@@ -9,7 +9,7 @@
 
 namespace hogelscope {
 
-/// What of the display stays as it is when another quantity changes.
+/// Says what stays as it is when the number of hogels, or the panel's size, changes.
 enum class Hold { size, pitch, pixels };
 
 /// A quantity of the display, or of a state. Of a pair it is the value across; the value down keeps

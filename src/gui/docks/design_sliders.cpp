@@ -184,8 +184,8 @@ void DesignSliders::follow() {
       row.slider->setValue(int(std::lround(steps * row.parameter.shareOf(value))));
     row.slider->setMark(before == value ? std::nullopt
                                         : std::optional(row.parameter.shareOf(before)));
-    row.value->setText(value > 0 || row.parameter.least == 0 ? row.parameter.text(value)
-                                                             : tr("as the light field"));
+    const bool isLeftOut = row.parameter.isWhole && value < 1;
+    row.value->setText(isLeftOut ? tr("as the light field") : row.parameter.text(value));
     // The files of a light field fix how many hogels and directions it has.
     row.slider->setEnabled(!row.parameter.isWhole || session.lightField.isLive());
   }

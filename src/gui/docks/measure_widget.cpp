@@ -163,16 +163,18 @@ void MeasureWidget::addPlots(QGridLayout* grid) {
           paintDepths(painter, QRectF({12, 0}, size - QSizeF(24, 4)),
                       {*m_shown.depths, depthBars(*m_shown.depths, m_shown.end)}, colours);
       });
-  auto* swept = add(1, 1, "sweepPlot", tr("Sweep"), tr("A figure of the designs that were swept"),
-                    [this](QPainter& painter, const QSizeF& size, const ChartColours& colours) {
-                      const Plot plot = m_sweep->plot();
-                      if (!plot.series.empty()) return paintPlot(painter, size, plot, colours);
-                      painter.setPen(colours.text2);
-                      painter.drawText(QRectF({}, size).adjusted(12, 0, -12, 0),
-                                       Qt::AlignCenter | Qt::TextWordWrap,
-                                       tr("Nothing is swept yet. Sweep shows how a figure follows "
-                                          "one quantity of the design."));
-                    });
+  auto* swept = add(
+      1, 1, "sweepPlot", tr("Sweep"), tr("A figure of the designs that were swept"),
+      [this](QPainter& painter, const QSizeF& size, const ChartColours& colours) {
+        const Plot plot = m_sweep->plot();
+        if (!plot.series.empty()) return paintPlot(painter, size, plot, colours);
+        painter.setPen(colours.text2);
+        painter.drawText(
+            QRectF({}, size).adjusted(12, 0, -12, 0), Qt::AlignCenter | Qt::TextWordWrap,
+            plot.titleUp.empty() ? tr("Nothing is swept yet. Sweep shows how a figure follows one "
+                                      "quantity of the design.")
+                                 : tr("No design that was swept has a value of this figure."));
+      });
   connect(m_sweep, &SweepWidget::plotChanged, swept, qOverload<>(&QWidget::update));
   grid->setColumnStretch(0, 3);
   grid->setColumnStretch(1, 2);
