@@ -4,11 +4,13 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPainter>
+#include <QPushButton>
 #include <QSignalBlocker>
 #include <QSlider>
 #include <QStyle>
 #include <QToolButton>
 #include <QVBoxLayout>
+#include <QWheelEvent>
 
 #include "gui/session/session_forms.h"
 #include "gui/widgets/colours.h"
@@ -17,7 +19,7 @@ namespace hogelscope {
 
 namespace {
 
-constexpr int steps = 1000;  // of a slider
+constexpr int sliderSteps = 1000;  // of a slider
 
 QToolButton* choice(const char* name, const QString& text, const QString& help, QWidget* row) {
   auto* button = new QToolButton;
@@ -47,9 +49,9 @@ QWidget* choices() {
 class DesignSlider : public QSlider {
  public:
   DesignSlider() : QSlider(Qt::Horizontal) {
-    setRange(0, steps);
-    setSingleStep(steps / 100);
-    setPageStep(steps / 10);
+    setRange(0, sliderSteps);
+    setSingleStep(sliderSteps / 100);
+    setPageStep(sliderSteps / 10);
   }
   void setMark(std::optional<double> share) {
     m_mark = share;
@@ -61,8 +63,8 @@ class DesignSlider : public QSlider {
     QSlider::paintEvent(event);
     if (!m_mark) return;
     const int handle = scaled(12);
-    const int x = handle / 2 +
-                  QStyle::sliderPositionFromValue(0, steps, int(*m_mark * steps), width() - handle);
+    const int x = handle / 2 + QStyle::sliderPositionFromValue(
+                                   0, sliderSteps, int(*m_mark * sliderSteps), width() - handle);
     QPainter(this).fillRect(x - 1, height() / 2 - scaled(6), 2, scaled(12), tokens().text3);
   }
   void wheelEvent(QWheelEvent* event) override { event->ignore(); }  // it scrolls only
@@ -157,7 +159,7 @@ void DesignSliders::choose(const DisplayParams& display) {
 }
 
 void DesignSliders::slide(const Row& row) {
-  const double value = row.parameter.at(double(row.slider->value()) / steps);
+  const double value = row.parameter.at(double(row.slider->value()) / sliderSteps);
   m_model->edit(tr("Change %1").arg(row.parameter.label.toLower()), [&](Session& session) {
     session = withValue(session, m_model->currentIndex(), row.parameter, value, m_hold);
   });
@@ -179,9 +181,10 @@ void DesignSliders::follow() {
     const double value = row.parameter.get(session, state);
     const double before = row.parameter.get(opened, state);
     const QSignalBlocker quiet(row.slider);
-    // A slider that stands for the value stays, so that small steps between two counts add up.
-    if (row.parameter.at(double(row.slider->value()) / steps) != value)
-      row.slider->setValue(int(std::lround(steps * row.parameter.shareOf(value))));
+    // A slider that stands for the value stays, so that small sliderSteps between two counts add
+    // up.
+    if (row.parameter.at(double(row.slider->value()) / sliderSteps) != value)
+      row.slider->setValue(int(std::lround(sliderSteps * row.parameter.shareOf(value))));
     row.slider->setMark(before == value ? std::nullopt
                                         : std::optional(row.parameter.shareOf(before)));
     const bool isLeftOut = row.parameter.isWhole && value < 1;
