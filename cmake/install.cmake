@@ -51,7 +51,8 @@ install(FILES ${made}/hogelscope.bash DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-
 
 # What has to be built before cmake --install and cpack: neither builds anything.
 add_custom_target(hogelscope_wheel DEPENDS hogelscope-codecs)  # of pyproject.toml
-foreach(target hogelscope_plugin_mesh hogelscope_plugin_measured-lens hogelscope_plugin_ms-ssim _hogelscope
+foreach(target hogelscope_plugin_mesh hogelscope_plugin_measured-lens hogelscope_plugin_flip
+    hogelscope_plugin_ms-ssim _hogelscope
     hogelscope_python)
   if(TARGET ${target})
     add_dependencies(hogelscope_wheel ${target})

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <string>
 #include <vector>
@@ -136,8 +137,15 @@ struct Viewing {
   double distance;         ///< from the eye to the panel's centre, in metres
 };
 
-/// A metric of the difference between a test and a reference. compare() may be called from several
-/// threads.
+/// The figures of a metric: over the whole frame, and over the pixels that see the display in both
+/// views. NaN: not defined.
+struct Figures {
+  double frame = std::numeric_limits<double>::quiet_NaN();
+  double seen = std::numeric_limits<double>::quiet_NaN();
+};
+
+/// A metric of the difference between a test and a reference. compare() and compareBoth() may be
+/// called from several threads.
 class Metric {
  public:
   virtual ~Metric() = default;
@@ -148,6 +156,15 @@ class Metric {
   /// Compares views of one size. Returns NaN if the metric is not defined.
   [[nodiscard]] virtual double compare(const View& reference, const View& test,
                                        const Viewing& viewing) const = 0;
+  /// Returns whether compareBoth() has a figure of the pixels seen, which then has a column too.
+  [[nodiscard]] virtual bool hasSeen() const { return false; }
+  /// Compares as compare() does, which gives the figure over the frame.
+  [[nodiscard]] virtual Figures compareBoth(const View& reference, const View& test,
+                                            const Viewing& viewing) const {
+    Figures figures;
+    figures.frame = compare(reference, test, viewing);
+    return figures;
+  }
 };
 
 /// The type of the library's only symbol: numbers that are read before any code of the plugin runs,
