@@ -37,6 +37,32 @@ for (const table of document.querySelectorAll('table.sorts')) {
     head.append(button);
   });
 }
+for (const tests of document.querySelectorAll('.tests')) {
+  const sections = [...tests.children];
+  if (sections.length === 1) continue;
+  const label = document.createElement('label'), choice = document.createElement('select');
+  for (const section of sections) {
+    const option = document.createElement('option');
+    option.textContent = section.dataset.test;
+    choice.append(option);
+  }
+  const show = () => sections.forEach((section, k) => section.hidden = k !== choice.selectedIndex);
+  // The choice holds for all parts of the page.
+  choice.addEventListener('change', () => {
+    for (const other of document.querySelectorAll('.tests select')) {
+      if (other === choice) continue;
+      const same = [...other.options].findIndex(one => one.textContent === choice.value);
+      if (same === -1 || same === other.selectedIndex) continue;
+      other.selectedIndex = same;
+      other.dispatchEvent(new Event('shown'));
+    }
+    show();
+  });
+  choice.addEventListener('shown', show);
+  label.append('Test ', choice);
+  tests.before(label);
+  show();
+}
 for (const plot of document.querySelectorAll('svg.brushed')) {
   const lines = [...plot.querySelectorAll('polyline')], kept = new Map();
   const show = () => {

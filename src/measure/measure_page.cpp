@@ -9,7 +9,6 @@
 #include "core/base/text.h"
 #include "core/panel/depth_budget.h"
 #include "core/panel/design_numbers.h"
-#include "io/files/atomic_file.h"
 #include "page/html.h"
 #include "page/map_plot.h"
 
@@ -17,9 +16,7 @@ namespace hogelscope {
 
 namespace {
 
-constexpr PlotBox wide{.width = 640, .height = 330, .top = 26};
 constexpr PlotBox map{.width = 720, .height = 400, .top = 26};
-constexpr double columnWidth = 86;  ///< of a two-column paper, mm
 
 using Figures = std::vector<const MeasuredFigure*>;
 
@@ -51,7 +48,7 @@ struct CurveTitles {
   std::string column;  ///< of the CSV
 };
 
-void addCurve(const Figures& figures, const CurveTitles& titles, std::vector<MeasurePlot>& plots) {
+void addCurve(const Figures& figures, const CurveTitles& titles, std::vector<Figure>& plots) {
   if (figures.size() < 2) return;
   Plot plot;
   plot.titleAcross = titles.across;
@@ -73,9 +70,8 @@ void addCurve(const Figures& figures, const CurveTitles& titles, std::vector<Mea
   }
   if (plot.series[1].points.empty()) plot.series.pop_back();
   if (plot.series[0].points.empty()) return;
-  plots.push_back({titles.name, titles.title, titles.caption,
-                   svgOf(plot, wide, "curves", titles.title) + legendOf(plot),
-                   pointsOf(figures, titles.column, "")});
+  plots.push_back(figureOf(plot, titles.name, titles.title, pointsOf(figures, titles.column, "")));
+  plots.back().caption = titles.caption;
 }
 
 /// Returns a map of the figures, whose places form a grid; its axes end half a cell beyond them.
@@ -171,26 +167,27 @@ MapPlot zoneMap(const Bench& bench, const std::vector<MeasuredFigure>& figures) 
 namespace {
 
 void addMtf(const Bench& bench, const std::vector<MeasuredFigure>& figures,
-            std::vector<MeasurePlot>& plots) {
+            std::vector<Figure>& plots) {
   const MapPlot plot = mtfMap(bench, figures);
   if (plot.columns == 0) return;
   plots.push_back({"mtf", "Contrast over depth and detail",
                    "Gratings on planes, as the eye sees them; lines of contrast 0.5 and 0.1.",
                    svgOf(plot, map, "Contrast over depth and cycles per degree"),
-                   pointsOf(chosen(figures, "mtf", ""), "dioptres", "cycles_per_degree")});
+                   pointsOf(chosen(figures, "mtf", ""), "dioptres", "cycles_per_degree"),
+                   twoColumns});
 }
 
 void addZone(const Bench& bench, const std::vector<MeasuredFigure>& figures,
-             std::vector<MeasurePlot>& plots) {
+             std::vector<Figure>& plots) {
   const MapPlot plot = zoneMap(bench, figures);
   if (plot.columns == 0) return;
   plots.push_back({"viewing_zone", "Viewing zone from above",
                    "The share of the panel that sends light to an eye; the line is 0.95.",
                    svgOf(plot, map, "Share of the panel seen, over the eye's place"),
-                   pointsOf(chosen(figures, "viewingZone", "share"), "x", "z")});
+                   pointsOf(chosen(figures, "viewingZone", "share"), "x", "z"), twoColumns});
 }
 
-void addMatrix(const std::vector<MeasuredFigure>& figures, std::vector<MeasurePlot>& plots) {
+void addMatrix(const std::vector<MeasuredFigure>& figures, std::vector<Figure>& plots) {
   const Figures all = chosen(figures, "crosstalkMatrix", "");
   MapPlot plot = mapOf(all);
   if (plot.columns == 0) return;
@@ -234,7 +231,7 @@ std::string tableOf(const std::vector<MeasuredFigure>& figures) {
       text += (k == 2 || k > 3 ? "<td class=\"n\">" : "<td>") + escaped(rows.back()[k]) + "</td>";
     text += "</tr>\n";
   }
-  return text + "</tbody></table></div>\n" + latexTable(heads, rows);
+  return text + "</tbody></table></div>\n" + latexPart(latexTable(heads, rows));
 }
 
 /// The largest difference of ratios to their closed forms.
@@ -274,8 +271,8 @@ std::string facts(const MeasureRequest& request, const Bench& bench) {
 
 }  // namespace
 
-std::vector<MeasurePlot> plotsOf(const Bench& bench, const std::vector<MeasuredFigure>& figures) {
-  std::vector<MeasurePlot> plots;
+std::vector<Figure> plotsOf(const Bench& bench, const std::vector<MeasuredFigure>& figures) {
+  std::vector<Figure> plots;
   addMtf(bench, figures, plots);
   addCurve(chosen(figures, "throughFocus", ""),
            {"through_focus", "Contrast through focus",
@@ -304,24 +301,12 @@ std::vector<MeasurePlot> plotsOf(const Bench& bench, const std::vector<MeasuredF
   return plots;
 }
 
-void writePlots(const MeasureRequest& request, const Bench& bench,
-                const std::vector<MeasuredFigure>& figures) {
-  const std::filesystem::path folder = request.output / "plots";
-  makeFolder(folder);
-  for (const MeasurePlot& plot : plotsOf(bench, figures)) {
-    const std::string svg = plot.svg.substr(0, plot.svg.find("</svg>") + 6) + "\n";
-    writeTextFile(folder / (plot.name + ".svg"), svgFile(svg, columnWidth));
-    writeTextFile(folder / (plot.name + ".csv"), plot.csv);
-  }
-}
-
 std::string measurePage(const MeasureRequest& request, const Bench& bench,
                         const std::vector<MeasuredFigure>& figures) {
   std::string body = "<h1>The display of " + escaped(request.name) + "</h1>\n" +
                      facts(request, bench) + agreementOf(figures) + tableOf(figures);
-  for (const MeasurePlot& plot : plotsOf(bench, figures))
-    body += "<h2>" + plot.title + "</h2>\n<figure>" + plot.svg + "<figcaption>" + plot.caption +
-            "</figcaption></figure>\n";
+  for (const Figure& plot : plotsOf(bench, figures))
+    body += "<h2>" + plot.title + "</h2>\n" + figureTag(plot);
   return pageOf("Hogelscope measures: " + request.name, body);
 }
 

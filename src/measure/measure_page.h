@@ -6,18 +6,10 @@
 #include <vector>
 
 #include "measure/measure_run.h"
+#include "page/figure.h"
 #include "page/map_plot.h"
 
 namespace hogelscope {
-
-/// A plot of some figures: as an SVG element for the page, and its points as CSV.
-struct MeasurePlot {
-  std::string name;  ///< of its files
-  std::string title;
-  std::string caption;
-  std::string svg;
-  std::string csv;
-};
 
 /// Returns contrast over depth and detail, and the share of the panel seen from above; without
 /// cells if the figures have none.
@@ -25,11 +17,7 @@ MapPlot mtfMap(const Bench& bench, const std::vector<MeasuredFigure>& figures);
 MapPlot zoneMap(const Bench& bench, const std::vector<MeasuredFigure>& figures);
 
 /// Returns the plots of all figures that have several places.
-std::vector<MeasurePlot> plotsOf(const Bench& bench, const std::vector<MeasuredFigure>& figures);
-
-/// Writes plots/NAME.svg and plots/NAME.csv of each plot. Throws InputError.
-void writePlots(const MeasureRequest& request, const Bench& bench,
-                const std::vector<MeasuredFigure>& figures);
+std::vector<Figure> plotsOf(const Bench& bench, const std::vector<MeasuredFigure>& figures);
 
 /// Returns measure.html.
 std::string measurePage(const MeasureRequest& request, const Bench& bench,

@@ -32,10 +32,6 @@ std::string keyOf(const MeasureRequest& request) {
 
 }  // namespace
 
-std::string numberCell(double value) {
-  return std::isnan(value) ? std::string() : numberText(value);
-}
-
 double MeasuredFigure::difference() const {
   return value == of.closedForm ? 0 : value - of.closedForm;
 }
@@ -76,7 +72,7 @@ Measured measure(const MeasureRequest& request, const Progress& progress) {
     result.figures.push_back(
         {all[item], campaign.rows[item].values.front(), campaign.rows[item].problem});
   if (request.output.empty()) return result;
-  writePlots(request, bench, result.figures);
+  writeFigures(request.output, plotsOf(bench, result.figures));
   writeTextFile(request.output / "measure.html", measurePage(request, bench, result.figures));
   writeTextFile(request.output / "measure.csv", csv(result.figures));
   campaign.journal->remove();

@@ -51,9 +51,6 @@ std::vector<Measurement> measurementsOf(const Session& session, const Bench& ben
 /// Cancelled.
 Measured measure(const MeasureRequest& request, const Progress& progress);
 
-/// Returns a number as a CSV cell; an empty one for NaN.
-std::string numberCell(double value);
-
 /// Returns "measure.csv".
 std::string csv(const std::vector<MeasuredFigure>& figures);
 

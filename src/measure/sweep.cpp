@@ -21,7 +21,7 @@
 #include "io/scene/view_source.h"
 #include "measure/contrast.h"
 #include "measure/measure_run.h"
-#include "page/html.h"
+#include "page/figure.h"
 
 namespace hogelscope {
 
@@ -274,14 +274,11 @@ Sweep sweep(const SweepRequest& request, const Progress& progress) {
         {designs[item], campaign.rows[item].values, false, campaign.rows[item].problem});
   markPareto(request.table, result.rows);
   if (request.output.empty()) return result;
-  const std::filesystem::path plots = request.output / "plots";
-  makeFolder(plots);
   const std::string points = csv(request.table, result.rows);
-  for (const auto& [name, svg] : sweepPlots(request.table, result.rows)) {
-    constexpr double twoColumns = 178;  // of a paper, mm
-    writeTextFile(plots / (name + ".svg"), svgFile(svg, twoColumns));
-    writeTextFile(plots / (name + ".csv"), points);
-  }
+  std::vector<Figure> figures;
+  for (const auto& [name, svg] : sweepPlots(request.table, result.rows))
+    figures.push_back({name, "", "", svg, points, twoColumns});
+  writeFigures(request.output, figures);
   writeTextFile(request.output / "sweep.html", sweepPage(request, result.rows));
   writeTextFile(request.output / "sweep.csv", points);
   campaign.journal->remove();

@@ -202,7 +202,7 @@ std::string tableOf(const SweepTable& table, const std::vector<SweepRow>& rows) 
     text += "</tr>\n";
     if (rows[k].isPareto || table.pareto.empty()) best.push_back(std::move(cells));
   }
-  return text + "</tbody></table></div>\n" + latexTable(heads, best);
+  return text + "</tbody></table></div>\n" + latexPart(latexTable(heads, best));
 }
 
 }  // namespace

@@ -35,7 +35,7 @@ std::string escapedLine(const std::string& text) {
 
 /// Returns the text for LaTeX: special characters escaped, dashes and hyphens in ASCII.
 std::string texText(const std::string& text) {
-  static constexpr std::array<Replacement, 14> commands{{{"\\", "\\textbackslash{}"},
+  static constexpr std::array<Replacement, 16> commands{{{"\\", "\\textbackslash{}"},
                                                          {"{", "\\{"},
                                                          {"}", "\\}"},
                                                          {"&", "\\&"},
@@ -47,6 +47,8 @@ std::string texText(const std::string& text) {
                                                          {"^", "\\textasciicircum{}"},
                                                          {"–", "--"},
                                                          {"\u2011", "-"},
+                                                         {"…", "\\ldots{}"},
+                                                         {"°", "\\textdegree{}"},
                                                          {"<", "\\textless{}"},
                                                          {">", "\\textgreater{}"}}};
   return replaced(text, commands);
@@ -104,7 +106,10 @@ std::string latexTable(const std::vector<std::string>& heads,
   }
   std::string tex = "\\begin{tabular}{" + columns + "}\n\\hline\n" + lineOf(heads) + "\\hline\n";
   for (const std::vector<std::string>& row : rows) tex += lineOf(row);
-  tex += "\\hline\n\\end{tabular}\n";
+  return tex + "\\hline\n\\end{tabular}\n";
+}
+
+std::string latexPart(const std::string& tex) {
   return "<details><summary>As LaTeX</summary><pre>" + escaped(tex) + "</pre></details>\n";
 }
 

@@ -17,11 +17,12 @@ std::string base64(const std::string& bytes);
 /// Returns an embedded image of a PNG file's bytes; `text` is its alternative text.
 std::string imageTag(const std::string& png, const std::string& text);
 
-/// Returns a folded part of the page with the table as LaTeX's tabular, for copying: text columns
-/// left-aligned, columns whose cells begin with a digit or a sign right-aligned. It needs no
-/// package.
+/// Returns a table as LaTeX's tabular: text columns left-aligned, columns whose cells begin with a
+/// digit or a sign right-aligned. It needs no package.
 std::string latexTable(const std::vector<std::string>& heads,
                        const std::vector<std::vector<std::string>>& rows);
+/// Returns a folded part of the page with LaTeX, for copying.
+std::string latexPart(const std::string& tex);
 
 /// Returns a complete page of this title (not escaped yet) and body, with style, script and policy.
 std::string pageOf(const std::string& title, const std::string& body);

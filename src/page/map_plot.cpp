@@ -3,9 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
-#include "core/base/colour_map.h"
 #include "core/base/text.h"
 #include "page/html.h"
 
@@ -13,21 +11,7 @@ namespace hogelscope {
 
 namespace {
 
-constexpr double scaleWidth = 12;
 constexpr double scaleRoom = 64;  ///< right of the map, for the scale of colours
-
-std::string rectangle(double x, double y, double width, double height, const std::string& style) {
-  return "<rect x=\"" + coordinate(x) + "\" y=\"" + coordinate(y) + "\" width=\"" +
-         coordinate(width) + "\" height=\"" + coordinate(height) + "\" " + style + "/>";
-}
-
-std::string fillOf(double share) {
-  const auto [r, g, b] = falseColour(share);
-  std::array<char, 24> text{};
-  std::snprintf(text.data(), text.size(), "fill=\"#%02x%02x%02x\"", unsigned{r}, unsigned{g},
-                unsigned{b});
-  return text.data();
-}
 
 /// Returns a stroke that is seen on every colour: white over black.
 std::string stroke(double x1, double y1, double x2, double y2, const std::string& more) {
@@ -40,21 +24,6 @@ std::string stroke(double x1, double y1, double x2, double y2, const std::string
 std::string nameText(double x, double y, const std::string& name) {
   return "<g paint-order=\"stroke\" stroke=\"#fff\" stroke-width=\"3\">" +
          svgText(x, y, "start", name) + "</g>";
-}
-
-std::string scaleOf(const MapPlot& plot, const PlotBox& box) {
-  constexpr int steps = 64;
-  const double left = box.width - box.right - scaleRoom + 18;
-  const double bottom = box.height - box.below;
-  const double height = (bottom - box.top) / steps;
-  std::string text;
-  for (int k = 0; k < steps; ++k)
-    text += rectangle(left, bottom - (k + 1) * height, scaleWidth, height + 0.5,
-                      fillOf((k + 0.5) / steps));
-  const Axis axis{plot.shades[0], plot.shades[1], bottom, box.top};
-  for (const Tick& tick : linearTicks(axis, 5))
-    text += svgText(left + scaleWidth + 4, axis.at(tick.value) + 4, "start", tick.text);
-  return text + svgText(left, box.top - 11, "start", plot.unit) + "\n";
 }
 
 }  // namespace
@@ -102,8 +71,8 @@ std::string svgOf(const MapPlot& plot, const PlotBox& box, const std::string& la
     const auto row = double(k / std::size_t(plot.columns));
     const double share = (plot.values[k] - plot.shades[0]) / (plot.shades[1] - plot.shades[0]);
     // A little more, since neighbours' edges would let the ground through.
-    text += rectangle(across.from + column * width, up.from - (row + 1) * height, width + 0.3,
-                      height + 0.3, fillOf(share)) +
+    text += svgRectangle(across.from + column * width, up.from - (row + 1) * height, width + 0.3,
+                         height + 0.3, svgFill(share)) +
             "\n";
   }
   for (const double level : plot.contours)
@@ -115,7 +84,8 @@ std::string svgOf(const MapPlot& plot, const PlotBox& box, const std::string& la
     const bool endsBelow = to[1] < from[1];
     text += nameText(across.at(to[0]) + 4, up.at(to[1]) + (endsBelow ? -6 : 13), name);
   }
-  return text + scaleOf(plot, box) + "</svg>\n";
+  const Axis scale{plot.shades[0], plot.shades[1], up.from, up.to};
+  return text + svgScale(across.to + 18, scale, plot.unit) + "</svg>\n";
 }
 
 }  // namespace hogelscope

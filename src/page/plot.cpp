@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <limits>
+#include <numeric>
 
 #include "core/base/colour_map.h"
 #include "core/base/text.h"
@@ -55,8 +57,15 @@ std::string svgMark(std::size_t series, double x, double y, double radius,
   return "<polygon points=\"" + points + "\"" + more + "</polygon>";
 }
 
+std::string dashAttribute(std::size_t series) {
+  std::string dashes;
+  for (const double length : dashesOf(series))
+    dashes += (dashes.empty() ? "" : " ") + numberText(length);
+  return dashes.empty() ? "" : " stroke-dasharray=\"" + dashes + "\"";
+}
+
 /// Returns the line through the points of a series, and their intervals.
-std::string svgCurve(const Plot::Series& series, const PlotArea& area) {
+std::string svgCurve(const Plot::Series& series, std::size_t number, const PlotArea& area) {
   std::string line, bars;
   for (const Plot::Point& point : series.points) {
     const auto [x, y] = area.placeOf(point, 0);
@@ -64,7 +73,64 @@ std::string svgCurve(const Plot::Series& series, const PlotArea& area) {
     bars +=
         svgLine(x, area.up.at(point.interval.low), x, area.up.at(point.interval.high), "interval");
   }
-  return "<polyline class=\"curve\" points=\"" + line + "\"/>" + bars + "\n";
+  return "<polyline class=\"curve\" points=\"" + line + "\"" + dashAttribute(number) + "/>" + bars +
+         "\n";
+}
+
+/// Returns the start of a series' group: its marks are filled, its lines are drawn in its colour.
+std::string groupTag(std::size_t series) {
+  const std::string colour = seriesColour(series);
+  return "<g class=\"points\" fill=\"" + colour + "\" color=\"" + colour + "\">";
+}
+
+constexpr double legendLine = 19;
+
+/// The names of the series, side by side as far as there is room.
+struct Legend {
+  std::string svg;
+  double height = 0;
+};
+
+/// Returns the characters of a name of at most `most`, without its middle if it has more.
+std::vector<std::string> shortened(const std::string& name, std::size_t most) {
+  std::vector<std::string> letters;
+  for (std::size_t at = 0; at < name.size(); at += letters.back().size())
+    letters.push_back(name.substr(at, characterAt(name, at).bytes));
+  if (letters.size() <= most) return letters;
+  const auto half = std::ptrdiff_t((most - 1) / 2);
+  letters.erase(letters.begin() + half, letters.end() - half);
+  letters.insert(letters.begin() + half, "…");
+  return letters;
+}
+
+Legend legendOf(const Plot& plot, const PlotBox& box) {
+  constexpr double letter = 7.2;  // mean width of one
+  constexpr double mark = 30;
+  Legend legend;
+  if (plot.series.size() < 2) return legend;
+  const auto most = std::size_t(std::max(8.0, (box.width - box.left - mark) / letter));
+  double x = box.left;
+  double y = box.height + 12;
+  for (std::size_t k = 0; k < plot.series.size(); ++k) {
+    const std::vector<std::string> letters = shortened(plot.series[k].name, most);
+    const double width = mark + letter * double(letters.size()) + 14;
+    if (x > box.left && x + width > box.width) {
+      x = box.left;
+      y += legendLine;
+    }
+    legend.svg += groupTag(k);
+    if (plot.hasCurves)
+      legend.svg += "<polyline class=\"curve\" points=\"" + coordinate(x) + "," + coordinate(y) +
+                    " " + coordinate(x + mark - 6) + "," + coordinate(y) + "\"" + dashAttribute(k) +
+                    "/>";
+    legend.svg += svgMark(k, x + (mark - 6) / 2, y, 4.5, "", "") + "</g>" +
+                  svgText(x + mark, y + 4, "start",
+                          std::accumulate(letters.begin(), letters.end(), std::string())) +
+                  "\n";
+    x += width;
+  }
+  legend.height = y + 10 - box.height;
+  return legend;
 }
 
 }  // namespace
@@ -83,6 +149,32 @@ std::string svgLine(double x1, double y1, double x2, double y2, std::string_view
          coordinate(x2) + "\" y2=\"" + coordinate(y2) + "\" class=\"" + std::string(style) + "\"/>";
 }
 
+std::string svgRectangle(double x, double y, double width, double height, const std::string& more) {
+  return "<rect x=\"" + coordinate(x) + "\" y=\"" + coordinate(y) + "\" width=\"" +
+         coordinate(width) + "\" height=\"" + coordinate(height) + "\" " + more + "/>";
+}
+
+std::string svgFill(double share) {
+  const auto [r, g, b] = falseColour(share);
+  std::array<char, 24> text{};
+  std::snprintf(text.data(), text.size(), "fill=\"#%02x%02x%02x\"", unsigned{r}, unsigned{g},
+                unsigned{b});
+  return text.data();
+}
+
+std::string svgScale(double left, const Axis& up, const std::string& unit) {
+  constexpr int steps = 64;
+  constexpr double width = 12;
+  const double height = (up.from - up.to) / steps;
+  std::string text;
+  for (int k = 0; k < steps; ++k)
+    text += svgRectangle(left, up.from - (k + 1) * height, width, height + 0.5,
+                         svgFill((k + 0.5) / steps));
+  for (const Tick& tick : linearTicks(up, 5))
+    text += svgText(left + width + 4, up.at(tick.value) + 4, "start", tick.text);
+  return text + svgText(left, up.to - 11, "start", unit) + "\n";
+}
+
 std::vector<double> markCorners(std::size_t series) {
   static const std::array<std::vector<double>, 5> corners{{{},
                                                            {-1, -1, 1, -1, 1, 1, -1, 1},
@@ -90,6 +182,11 @@ std::vector<double> markCorners(std::size_t series) {
                                                            {0, -1.4, 1.4, 0, 0, 1.4, -1.4, 0},
                                                            {0, 1.2, 1.2, -1, 0, -1, -1.2, -1}}};
   return corners[series % corners.size()];
+}
+
+std::vector<double> dashesOf(std::size_t series) {
+  static const std::array<std::vector<double>, 4> dashes{{{}, {7, 3}, {2, 2}, {8, 3, 2, 3}}};
+  return dashes[series % dashes.size()];
 }
 
 PlotArea::Place PlotArea::placeOf(const Plot::Point& point, std::size_t series) const {
@@ -132,7 +229,10 @@ PlotArea areaOf(const Plot& plot, const PlotBox& box) {
 /// Returns round ticks, also for an axis of logarithms.
 std::vector<Tick> ticksAcross(const Plot& plot, const Axis& across) {
   if (!plot.isLogarithmic) return linearTicksAcross(across);
-  std::vector<Tick> ticks = logarithmicTicks(across, 40);
+  // Decades have texts such as 0.01 and 100; between them 2 and 5 have one where there is room.
+  const double decimals = std::max(0.0, -std::floor(across.low));
+  const double letters = std::max(decimals > 0 ? 2 + decimals : 1, 1 + std::floor(across.high));
+  std::vector<Tick> ticks = logarithmicTicks(across, 6 + 7 * letters);
   if (std::ranges::count_if(ticks, [](const Tick& tick) { return !tick.text.empty(); }) < 2)
     ticks = linearTicks({std::pow(10, across.low), std::pow(10, across.high)}, 5);
   for (Tick& tick : ticks) tick.value = std::log10(tick.value);
@@ -171,16 +271,16 @@ std::string svgFrame(const Axis& across, const Axis& up, const std::string& titl
 std::string svgOf(const Plot& plot, const PlotBox& box, const std::string& style,
                   const std::string& label) {
   const PlotArea area = areaOf(plot, box);
+  const Legend legend = legendOf(plot, box);
   std::string text = "<svg class=\"" + style + "\" viewBox=\"0 0 " + numberText(box.width) + " " +
-                     numberText(box.height) + "\" role=\"img\" aria-label=\"" + escaped(label) +
-                     "\">" +
+                     numberText(box.height + legend.height) + "\" role=\"img\" aria-label=\"" +
+                     escaped(label) + "\">" +
                      svgFrame(area.across, area.up, plot.titleAcross, plot.titleUp,
                               ticksAcross(plot, area.across));
   if (area.hasIdentical) text += svgText(box.left - 6, 28, "end", "identical");
   for (std::size_t k = 0; k < plot.series.size(); ++k) {
-    const std::string colour = seriesColour(k);
-    text += "<g class=\"points\" fill=\"" + colour + "\" color=\"" + colour + "\">\n";
-    if (plot.hasCurves) text += svgCurve(plot.series[k], area);
+    text += groupTag(k) + "\n";
+    if (plot.hasCurves) text += svgCurve(plot.series[k], k, area);
     for (const Plot::Point& point : plot.series[k].points) {
       const auto [x, y] = area.placeOf(point, k);
       text +=
@@ -190,16 +290,7 @@ std::string svgOf(const Plot& plot, const PlotBox& box, const std::string& style
     }
     text += "</g>\n";
   }
-  return text + "</svg>\n";
-}
-
-std::string legendOf(const Plot& plot) {
-  std::string text = "<ul class=\"legend\">";
-  for (std::size_t k = 0; k < plot.series.size(); ++k)
-    text += std::string("<li><svg viewBox=\"-8 -8 16 16\" width=\"14\" height=\"14\" fill=\"") +
-            seriesColour(k) + "\" aria-hidden=\"true\">" + svgMark(k, 0, 0, 5, "", "") + "</svg> " +
-            escaped(plot.series[k].name) + "</li>";
-  return text + "</ul>\n";
+  return text + legend.svg + "</svg>\n";
 }
 
 }  // namespace hogelscope

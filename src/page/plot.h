@@ -75,11 +75,14 @@ std::vector<Tick> ticksUp(const Axis& up);
 /// Returns the corners of a series' marks in radii, x and y in turn; empty for a circle.
 std::vector<double> markCorners(std::size_t series);
 
-/// Returns the plot as an element `<svg>` of the class `style`.
+/// Returns the dashes of a series' curve, so that it is told from others without colours: lengths
+/// of lines and gaps in turn; none for a line without gaps.
+std::vector<double> dashesOf(std::size_t series);
+
+/// Returns the plot as an element `<svg>` of the class `style`. Below the box are the names of the
+/// series with their marks, if there are several.
 std::string svgOf(const Plot& plot, const PlotBox& box, const std::string& style,
                   const std::string& label);
-/// Returns the names of all series with their marks.
-std::string legendOf(const Plot& plot);
 
 // SVG elements for other figures.
 
@@ -88,6 +91,12 @@ std::string coordinate(double value);
 /// Returns a text element; `anchor` is start, middle or end.
 std::string svgText(double x, double y, std::string_view anchor, const std::string& text);
 std::string svgLine(double x1, double y1, double x2, double y2, std::string_view style);
+/// Returns a rectangle; `more` are further attributes.
+std::string svgRectangle(double x, double y, double width, double height, const std::string& more);
+/// Returns the attribute of a false colour, 0 … 1.
+std::string svgFill(double share);
+/// Returns an upright scale of the false colours, with `unit` above; 64 units wide with its text.
+std::string svgScale(double left, const Axis& up, const std::string& unit);
 /// Returns grid, ticks, frame and titles around the area of the two axes; linear ticks by default.
 std::string svgFrame(const Axis& across, const Axis& up, const std::string& titleAcross,
                      const std::string& titleUp, std::vector<Tick> ticks = {});

@@ -51,6 +51,26 @@ py::tuple around(const std::string& file, const std::vector<std::string>& overri
   return py::make_tuple(textOf(found.session), warningsOf(found.session.lightField, found.order));
 }
 
+/// Returns what --info --json prints.
+std::string info(const std::string& file, const std::vector<std::string>& overrides,
+                 const py::object& progress) {
+  return stoppable(progress, [&](const Progress& hear) {
+    try {
+      OrderedSession subject;
+      if (isSessionDocument(file)) {
+        subject.session = loadSession(file, overrides);
+        subject.order =
+            findLightFieldOrder(subject.session.lightField, subject.session.display, hear);
+      } else {
+        subject = orderedSessionAround(file, overrides, hear);
+      }
+      return orderDocument(orderOf(subject));
+    } catch (const InputError& error) {
+      throw error.in(file);
+    }
+  });
+}
+
 /// Returns a session that contains only the new states.
 std::string cameras(const Document& document, const std::string& what,
                     const std::vector<std::string>& overrides) {
@@ -88,6 +108,8 @@ void addDocuments(py::module_& module) {
              "A session file as normal() gives it, with overrides and a calibration's file.");
   module.def("around", &around, py::arg("file"), py::arg("overrides"), py::arg("progress"),
              "A new session around a folder, a picture or a mesh, and warnings.");
+  module.def("info", &info, py::arg("file"), py::arg("overrides"), py::arg("progress"),
+             "What --info --json prints of a light field or a session.");
   module.def("cameras", &cameras, py::arg("document"), py::arg("what"), py::arg("overrides"),
              "The session with the states of a camera set instead of its own.");
   module.def("save", &save, py::arg("document"), py::arg("file"), "Writes a session file.");

@@ -12,7 +12,9 @@
 #include "python/array_light_field.h"
 #include "python/bindings.h"
 #include "python/content.h"
+#include "python/function_metrics.h"
 #include "python/stoppable.h"
+#include "report/report_facts.h"
 #include "report/report_run.h"
 
 namespace hogelscope {
@@ -33,6 +35,7 @@ struct ReportArguments {
   std::string output;
   bool isAgainstIdeal = false;
   bool images = false;
+  std::shared_ptr<FunctionMetrics> functions{};
 };
 
 /// Returns a name that identifies an array by its content, for unfinished reports.
@@ -99,12 +102,14 @@ ReportRequest requestOf(const ReportArguments& wishes, const Progress& progress)
   for (const auto& [name, light] : wishes.tests)
     request.tests.push_back(testWith(request.session, name, light, progress));
   if (request.tests.empty()) throw InputError("tests", "is empty: there is nothing to compare");
-  request.metrics = metricsOf(request.session.metrics);
   for (const auto& [name, rates] : wishes.groups)
     request.groups.push_back(groupOf(name, rates, wishes.tests));
   request.output = wishes.output;
   request.command = "hogelscope.report() of Python";
   request.images = wishes.images;
+  wishes.functions->findColumns(request, part(progress, 0.5, 1));
+  request.metrics =
+      metricsOf(request.session.metrics, FunctionMetrics::metricsOf(wishes.functions));
   return request;
 }
 
@@ -141,29 +146,84 @@ py::dict dictOf(const ReportRow& row, const MetricSet& metrics) {
   return result;
 }
 
-py::list report(const Document& document, const LightChoice& lightField, const Tests& tests,
-                const Groups& groups, const std::string& output, bool ideal, bool images,
-                int threads, const py::object& progress) {
+py::dict dictOf(const BdRow& row) {
+  const auto& [anchor, group, quality, delta, isWeighted, rate, gain] = row;
+  py::dict result;
+  result["anchor"] = anchor;
+  result["group"] = group;
+  result["quality"] = quality.name;
+  result["over"] = quality.isSeen ? "seen" : "frame";
+  result["means"] = isWeighted ? "weighted" : "plain";
+  result["rate"] = delta.rate;
+  result["rate_interval"] = py::make_tuple(rate.low, rate.high);
+  result["gain"] = delta.quality;
+  result["gain_interval"] = py::make_tuple(gain.low, gain.high);
+  result["from"] = delta.from;
+  result["to"] = delta.to;
+  result["problem"] = delta.problem;
+  return result;
+}
+
+/// Returns each test's means and their intervals, by name; weighted ones after "weighted_" where
+/// states have weights.
+std::pair<py::dict, py::dict> meansOf(const std::vector<TestSummary>& summaries,
+                                      const MetricSet& metrics) {
+  py::dict means, intervals;
+  for (const TestSummary& test : summaries) {
+    if (&test == &summaries.back()) break;  // of all tests
+    py::dict values, ranges;
+    const auto add = [&](const std::string& begin, const std::vector<double>& list,
+                         std::size_t from) {
+      for (std::size_t k = 0; k < list.size(); ++k) {
+        const py::str name(begin + metrics.means()[k].name);
+        const Interval& interval = test.intervals[from + k];
+        values[name] = list[k];
+        ranges[name] = py::make_tuple(interval.low, interval.high);
+      }
+    };
+    add("", test.summary.means, 0);
+    if (haveWeights(test.rows)) add("weighted_", test.summary.weighted, test.summary.means.size());
+    means[py::str(test.test)] = values;
+    intervals[py::str(test.test)] = ranges;
+  }
+  return {means, intervals};
+}
+
+py::tuple report(const Document& document, const LightChoice& lightField, const Tests& tests,
+                 const Groups& groups, const FunctionMetrics::Functions& functions,
+                 const std::string& output, bool ideal, bool images, int threads,
+                 const py::object& progress) {
   const ThreadsOfCall limit(threads);
-  const auto [rows, metrics] = stoppable(progress, [&](const Progress& hear) {
+  const auto called = std::make_shared<FunctionMetrics>(functions);
+  struct Made {
+    Report report;
+    MetricSet metrics;
+    std::vector<std::string> warnings;
+  };
+  const auto [made, metrics, warnings] = stoppable(progress, [&](const Progress& hear) {
     const auto locks = lockAll(lightField, tests, hear);
     const ReportRequest request = requestOf(
-        {document, lightField, tests, groups, output, ideal, images}, part(hear, 0, 0.05));
+        {document, lightField, tests, groups, output, ideal, images, called}, part(hear, 0, 0.05));
     ReportListener listener;
     listener.progress = part(hear, 0.05, 1);
-    return std::pair(makeReport(request, listener).rows, request.metrics);
+    Made result{makeReport(request, listener), request.metrics, warningsOf(request)};
+    FunctionMetrics::forget(output);
+    return result;
   });
-  py::list result;
-  for (const ReportRow& row : rows) result.append(dictOf(row, metrics));
-  return result;
+  py::list rows, bd;
+  for (const ReportRow& row : made.rows) rows.append(dictOf(row, metrics));
+  for (const BdRow& row : made.comparisons) bd.append(dictOf(row));
+  const auto [means, intervals] = meansOf(made.summaries, metrics);
+  return py::make_tuple(rows, means, intervals, bd, warnings);
 }
 
 }  // namespace
 
 void addReports(py::module_& module) {
   module.def("report", &report, py::arg("document"), py::arg("light_field"), py::arg("tests"),
-             py::arg("groups"), py::arg("output"), py::arg("ideal"), py::arg("images"),
-             py::arg("threads"), py::arg("progress"), "Writes a report; the rows of its tables.");
+             py::arg("groups"), py::arg("metrics"), py::arg("output"), py::arg("ideal"),
+             py::arg("images"), py::arg("threads"), py::arg("progress"),
+             "Writes a report: its rows, means, intervals, BD-rates and warnings.");
 }
 
 }  // namespace hogelscope

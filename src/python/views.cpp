@@ -207,6 +207,11 @@ void write(const std::string& file, const Bytes& image, const std::optional<Floa
   });
 }
 
+py::bytes png(const Bytes& image) {
+  const std::span rgb(image.data(), std::size_t(image.size()));
+  return encodedPng(int(image.shape(1)), int(image.shape(0)), rgb);
+}
+
 }  // namespace
 
 void addViews(py::module_& module) {
@@ -217,6 +222,7 @@ void addViews(py::module_& module) {
            py::arg("progress"),
            "Renders states: (name, image, seen, values, focus) of each, and the files that were "
            "read.");
+  module.def("png", &png, py::arg("image"), "The bytes of a PNG of 8-bit RGB.");
   module.def("write", &write, py::arg("file"), py::arg("image"), py::arg("values"),
              py::arg("inputs"), "Writes 8-bit RGB, or values as EXR or TIFF, over no input.");
 }

@@ -4,11 +4,11 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
-#include <filesystem>
 #include <limits>
 
 #include "core/base/error.h"
 #include "core/optics/eyes.h"
+#include "report/page/test_names.h"
 #include "report/report_run.h"
 
 namespace hogelscope {
@@ -17,23 +17,6 @@ namespace {
 
 constexpr const char* notYet = "not compared yet";
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-
-using Parts = std::vector<std::string>;
-
-/// Returns folders and name.
-Parts partsOf(const std::string& file) {
-  Parts parts;
-  for (const std::filesystem::path& part : std::filesystem::path(file))
-    if (!part.empty() && part != "/") parts.push_back(part.string());
-  return parts;
-}
-
-/// Returns the last parts of a path, in short form.
-std::string tailOf(const Parts& path, std::size_t count) {
-  const std::string& first = path[path.size() - count];
-  if (count == 1) return first;
-  return first + (count == 2 ? "/" : "/…/") + path.back();
-}
 
 /// Returns the curve of a test's name: its extension, or its name without a number at the end.
 std::string curveOf(const std::string& name) {
@@ -44,24 +27,6 @@ std::string curveOf(const std::string& name) {
 }
 
 }  // namespace
-
-std::vector<std::string> shortNames(const std::vector<std::string>& files) {
-  std::vector<Parts> paths;
-  paths.reserve(files.size());
-  for (const std::string& file : files) paths.push_back(partsOf(file));
-  std::vector<std::string> names;
-  for (const Parts& path : paths) {
-    std::size_t count = 1;
-    const auto isShared = [&](const Parts& other) {
-      const auto tail = std::min(other.size(), count);
-      return other != path && std::equal(other.end() - std::ptrdiff_t(tail), other.end(),
-                                         path.end() - std::ptrdiff_t(count), path.end());
-    };
-    while (count < path.size() && std::ranges::any_of(paths, isShared)) ++count;
-    names.push_back(path.empty() ? "" : tailOf(path, count));
-  }
-  return names;
-}
 
 std::vector<std::optional<double>> ratesOf(const Session& session,
                                            const std::vector<std::string>& tests) {

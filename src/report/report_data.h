@@ -48,9 +48,6 @@ struct ReportData {
   [[nodiscard]] std::optional<std::size_t> stateIn(const Session& other, std::size_t state) const;
 };
 
-/// Returns the files' names without folders, with as much of the path as makes them differ.
-std::vector<std::string> shortNames(const std::vector<std::string>& files);
-
 /// Returns the rates of the test files that have one. A report that is read may outlive its tests.
 std::vector<std::optional<double>> ratesOf(const Session& session,
                                            const std::vector<std::string>& tests);

@@ -9,6 +9,7 @@
 #include "core/optics/sampling.h"
 #include "io/documents/session_file.h"
 #include "io/files/content_hash.h"
+#include "io/images/image_file.h"
 #include "report/versions.h"
 
 namespace hogelscope {
@@ -77,6 +78,8 @@ ReportFacts factsOf(const ReportRequest& request, FileHashes& hashes, const Prog
     other.cameras.clear();
     all += textOf(other);
   }
+  for (std::size_t k = MetricSet().columns().size(); k < request.metrics.columns().size(); ++k)
+    all += request.metrics.columns()[k].name + "\n";
   line("Camera states", std::to_string(session.cameras.size()));
   line("Sampling", described(session.sampling));
   line("Program", versionsLine());
@@ -84,6 +87,15 @@ ReportFacts factsOf(const ReportRequest& request, FileHashes& hashes, const Prog
   line("Made", timeNow());
   facts.key = contentHash(all);
   return facts;
+}
+
+std::vector<std::string> warningsOf(const ReportRequest& request) {
+  if (request.isAgainstIdeal) return {};
+  for (const std::filesystem::path& file : request.file->files())
+    if (const std::string format = lossyFormatOf(file); !format.empty())
+      return {"the reference is itself a lossy file (" + format + ", " + file.string() +
+              "): every figure also has its errors; use the lossless original"};
+  return {};
 }
 
 }  // namespace hogelscope

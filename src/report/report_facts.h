@@ -17,4 +17,8 @@ struct ReportFacts {
 /// Collects the facts; hashes the light fields' files unless cached. Throws InputError, Cancelled.
 ReportFacts factsOf(const ReportRequest& request, FileHashes& hashes, const Progress& progress);
 
+/// Returns sentences about inputs that make the figures doubtful: a reference that has lost
+/// something itself, as JPEG or a video.
+std::vector<std::string> warningsOf(const ReportRequest& request);
+
 }  // namespace hogelscope

@@ -10,6 +10,7 @@
 #include "core/optics/eyes.h"
 #include "io/files/atomic_file.h"
 #include "io/images/image_writer.h"
+#include "report/page/report_tables.h"
 
 namespace hogelscope {
 
@@ -19,7 +20,7 @@ namespace {
 
 fs::path viewFile(const fs::path& folder, const ChosenView& view, const char* ending) {
   return folder / "views" /
-         ("test" + std::to_string(view.test + 1) + "_" + view.which + "_" + ending + ".png");
+         ("test" + std::to_string(view.test + 1) + "_" + view.which + ending + ".png");
 }
 
 fs::path referenceImage(const fs::path& folder, const std::string& state) {
@@ -111,6 +112,19 @@ void writeCells(const fs::path& file, int width, int height,
               {{"mse", meanSquares(cells, perCode)}, {"pixels", pixelCounts(cells)}});
 }
 
+/// Returns a line for each cell, row by row: its column and row from the top left, its values.
+std::string cellsCsv(const std::string& heads, int columns,
+                     const std::vector<std::vector<float>>& values) {
+  std::string text = heads + "\n";
+  for (std::size_t cell = 0; cell < values[0].size(); ++cell) {
+    text += std::to_string(cell % std::size_t(columns)) + "," +
+            std::to_string(cell / std::size_t(columns));
+    for (const std::vector<float>& one : values) text += "," + numberCell(double(one[cell]));
+    text += "\n";
+  }
+  return text;
+}
+
 /// Returns the positions of values within [low, high], as shares.
 std::vector<double> sharesOf(std::vector<double> values, double low, double high) {
   if (high > low)
@@ -126,15 +140,24 @@ fs::path panelFile(const fs::path& folder, std::size_t test, const std::string& 
 
 std::vector<fs::path> filesOf(const ReportRequest& request) {
   const fs::path folder = request.output;
-  std::vector<fs::path> files{folder / "report.csv", folder / "metrics.csv", folder / "summary.csv",
-                              folder / "bd.csv", folder / "report.html"};
+  std::vector<fs::path> files{folder / "report.csv",      folder / "metrics.csv",
+                              folder / "summary.csv",     folder / "bd.csv",
+                              folder / "report.html",     folder / "plots" / "means.tex",
+                              folder / "plots" / "bd.tex"};
+  const auto plot = [&](const std::string& name) {
+    for (const char* ending : {".svg", ".csv"}) files.push_back(folder / "plots" / (name + ending));
+  };
+  for (const MetricMean& mean : request.metrics.means()) plot("rate_" + mean.name);
   for (std::size_t test = 0; test < request.tests.size(); ++test) {
     for (const char* ending : {"hogels.exr", "directions.exr", "views.exr", "hogels.png",
                                "directions.png", "views.png", "ranks.png"})
       files.push_back(panelFile(folder, test, ending));
     for (const char* which : {"worst", "median", "best"})
-      for (const char* ending : {"reference", "test", "difference"})
+      for (const char* ending : {"_reference", "_test", "_difference", ""})
         files.push_back(viewFile(folder, {0, test, which}, ending));
+    for (const char* kind :
+         {"above", "front", "angle", "states", "hogels", "directions", "views", "ranks"})
+      plot("test" + std::to_string(test + 1) + "_" + kind);
     if (!request.images) continue;
     for (const CameraState& state : request.session.cameras) {
       files.push_back(referenceImage(folder, state.camera.name));
@@ -166,7 +189,7 @@ std::vector<fs::path> picturesOf(const fs::path& folder, const std::vector<Repor
        {std::pair("worst", std::size_t(0)), std::pair("median", states.size() / 2),
         std::pair("best", states.size() - 1)})
     if (files.empty() && at < states.size() && states[at] == order.state(row))
-      for (const char* ending : {"reference", "test", "difference"})
+      for (const char* ending : {"_reference", "_test", "_difference"})
         files.push_back(viewFile(folder, {row, test, which}, ending));
   if (files.empty())
     files = {referenceImage(folder, rows[row].state), testImage(folder, test, rows[row].state)};
@@ -176,9 +199,14 @@ std::vector<fs::path> picturesOf(const fs::path& folder, const std::vector<Repor
 }
 
 void writeTables(const fs::path& folder, const Report& report, const MetricSet& metrics) {
+  makeFolder(folder / "plots");
   writeTextFile(folder / "metrics.csv", metricsCsv(report.rows, metrics));
   writeTextFile(folder / "summary.csv", summaryCsv(report.summaries, metrics));
-  if (!report.comparisons.empty()) writeTextFile(folder / "bd.csv", bdCsv(report.comparisons));
+  if (!report.comparisons.empty()) {
+    writeTextFile(folder / "bd.csv", bdCsv(report.comparisons));
+    writeTextFile(folder / "plots" / "bd.tex", bdTex(report.comparisons, metrics));
+  }
+  writeTextFile(folder / "plots" / "means.tex", meansTex(report.summaries, metrics));
   writeTextFile(folder / "report.csv", reportCsv(report.rows, metrics));
 }
 
@@ -208,6 +236,12 @@ ReportPanel writePanelError(const fs::path& folder, std::size_t test, const Repo
   const std::size_t room = roomFor(shareOfPanels, 4 * request.tests.size());
   ReportPanel page{request.tests[test].name, shrunk({&hogels}, room).pngs[0],
                    shrunk({&directions}, room).pngs[0], figuresOf(error, display)};
+  page.hogelCells =
+      cellsCsv("hogel_x,hogel_y,mse,pixels", size.nx,
+               {meanSquares(error.hogels(), error.perCode()), pixelCounts(error.hogels())});
+  page.directionCells =
+      cellsCsv("direction_u,direction_v,mse,pixels", size.du,
+               {meanSquares(error.directions(), error.perCode()), pixelCounts(error.directions())});
   if (viewErrors.empty()) return page;
   page.viewScale = scaleEndOf(viewErrors);
   page.agreement = agreementOf(viewErrors, error);
@@ -217,18 +251,24 @@ ReportPanel writePanelError(const fs::path& folder, std::size_t test, const Repo
               {{"mse", {viewErrors.begin(), viewErrors.end()}}});
   writePng(panelFile(folder, test, "views.png"), views);
   writePng(panelFile(folder, test, "ranks.png"), ranks);
+  page.viewCells =
+      cellsCsv("direction_u,direction_v,mse,rank_difference", size.du,
+               {{viewErrors.begin(), viewErrors.end()},
+                {page.agreement.rankDifferences.begin(), page.agreement.rankDifferences.end()}});
   page.views = shrunk({&views}, room).pngs[0];
   page.ranks = shrunk({&ranks}, room).pngs[0];
   return page;
 }
 
 ReportView writeView(const fs::path& folder, const ChosenView& view, std::size_t tests,
-                     const ViewPair& pair, const Progress& progress) {
+                     const ViewPair& pair, const SheetLabels& labels, const Progress& progress) {
   makeFolder(folder / "views");
   const DifferenceImage difference = differenceImage(pair.reference, pair.test);
-  writeImage(viewFile(folder, view, "reference"), pair.reference, progress);
-  writeImage(viewFile(folder, view, "test"), pair.test, progress);
-  writePng(viewFile(folder, view, "difference"), difference.image, progress);
+  writeImage(viewFile(folder, view, "_reference"), pair.reference, progress);
+  writeImage(viewFile(folder, view, "_test"), pair.test, progress);
+  writePng(viewFile(folder, view, "_difference"), difference.image, progress);
+  writePng(viewFile(folder, view, ""), comparisonSheet(pair.reference, pair.test, labels),
+           progress);
   Shrunk page = shrunk({&pair.reference, &pair.test, &difference.image},
                        roomFor(1 - shareOfPanels, 3 * tests), progress);
   return {view.row,

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/metrics/panel_error.h"
+#include "io/images/comparison_sheet.h"
 #include "report/page/report_page.h"
 #include "report/report_request.h"
 #include "report/view_pairs.h"
@@ -19,7 +20,8 @@ std::vector<std::filesystem::path> filesOf(const ReportRequest& request);
 std::filesystem::path panelFile(const std::filesystem::path& folder, std::size_t test,
                                 const std::string& ending);
 
-/// Writes report.csv, metrics.csv, summary.csv, and bd.csv if there are groups.
+/// Writes report.csv, metrics.csv, summary.csv and plots/means.tex, and bd.csv and plots/bd.tex if
+/// there are groups.
 void writeTables(const std::filesystem::path& folder, const Report& report,
                  const MetricSet& metrics);
 
@@ -52,9 +54,10 @@ struct ChosenView {
   std::string which;
 };
 
-/// Writes FOLDER/views/testN_WHICH_reference.png, …_test.png, …_difference.png. Returns them for
+/// Writes FOLDER/views/testN_WHICH_reference.png, …_test.png, …_difference.png, and
+/// testN_WHICH.png, in which they are side by side with the map of their error. Returns them for
 /// the page, where the images of `tests` tests must not exceed mostPictureBytes.
 ReportView writeView(const std::filesystem::path& folder, const ChosenView& view, std::size_t tests,
-                     const ViewPair& pair, const Progress& progress);
+                     const ViewPair& pair, const SheetLabels& labels, const Progress& progress);
 
 }  // namespace hogelscope

@@ -4,15 +4,18 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <cmath>
 #include <limits>
 #include <set>
 
 #include "campaign/journal.h"
 #include "core/base/parallel.h"
 #include "core/base/progress.h"
+#include "core/base/text.h"
 #include "io/files/atomic_file.h"
 #include "io/files/folders.h"
 #include "io/opening/session_around.h"
+#include "report/page/test_names.h"
 #include "report/panel_projection.h"
 #include "report/report_facts.h"
 #include "report/report_files.h"
@@ -80,6 +83,7 @@ class ReportRun {
   std::size_t m_workers;
   ViewPairs m_pairs;
   std::vector<ReportView> m_views;
+  std::vector<std::string> m_names;               ///< of the tests, for figures
   std::vector<std::vector<double>> m_viewErrors;  ///< of each test; empty if not in memory
   Report m_report;
   TimeSum m_rendering;
@@ -111,6 +115,9 @@ ReportRun::ReportRun(const ReportRequest& request, const ReportListener& listene
       m_workers(workersFor(request)),
       m_pairs(request, m_workers, m_workers == 1 ? parallelRows : serialRows) {
   m_report.rows.resize(states() * request.tests.size());
+  std::vector<std::string> files;
+  for (const ReportTest& test : request.tests) files.push_back(test.name);
+  m_names = figureNames(files);
   m_report.replacedAnother = m_rows.replacedAnother();
   takeUp();
 }
@@ -183,9 +190,13 @@ void ReportRun::showViews(std::size_t test) {
       worstFirst(m_report.rows, ReportOrder{m_request.tests.size()}, test);
   const auto show = [&](const char* which, std::size_t state) {
     const ViewPair pair = m_pairs.render(state, 0, m_progress.within());
+    const ReportRow& row = m_report.rows[rowOf(test, state)];
+    const double db = row.values[psnrSeenColumn];
+    const SheetLabels labels{row.state, m_names[test],
+                             rounded(db, 2) + (std::isfinite(db) ? " dB" : "")};
     m_views.push_back(m_writing.of([&] {
       return writeView(m_folder, {rowOf(test, state), test, which}, m_request.tests.size(), pair,
-                       m_progress.within());
+                       labels, m_progress.within());
     }));
   };
   if (!order.empty()) show("worst", order.front());
@@ -267,12 +278,14 @@ void ReportRun::writeAll() {
                   m_request.groups,
                   certifyAll(m_request.session, m_progress.within()),
                   std::move(m_views),
-                  {}};
+                  {},
+                  warningsOf(m_request)};
   for (std::size_t test = 0; test < m_projections.size(); ++test) {
     page.panels.push_back(writePanelError(m_folder, test, m_request, m_projections[test]->error(),
                                           m_viewErrors[test], display));
     m_report.panels.push_back(page.panels.back().figures);
   }
+  writeFigures(m_folder, figuresOf(page));
   writeTextFile(m_folder / "report.html", html(page));
   writeTables(m_folder, m_report, m_request.metrics);
   m_rows.remove();

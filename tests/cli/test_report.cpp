@@ -3,6 +3,7 @@
 #include <QDirIterator>
 #include <QTemporaryDir>
 #include <QTest>
+#include <QXmlStreamReader>
 #include <cmath>
 
 #include "tests/cli/csv.h"
@@ -92,8 +93,27 @@ void TestReport::table() {
   const Outcome outcome = report({"--test", "b.png", "--test", "a.png"});
   QCOMPARE(outcome.err, QByteArray());
   QCOMPARE(outcome.status, 0);
-  QCOMPARE(namesIn("out"), (QStringList{"metrics.csv", "panel_error", "report.csv", "report.hashes",
-                                        "report.html", "summary.csv", "views"}));
+  QCOMPARE(namesIn("out"), (QStringList{"metrics.csv", "panel_error", "plots", "report.csv",
+                                        "report.hashes", "report.html", "summary.csv", "views"}));
+  QStringList figures;
+  for (const char* test : {"test1", "test2"})
+    for (const char* kind : {"above", "angle", "directions", "front", "hogels", "ranks", "views"})
+      for (const char* ending : {".csv", ".svg"})
+        figures << QString("%1_%2%3").arg(test).arg(kind).arg(ending);
+  for (const char* name : {"test2_angle.csv", "test2_angle.svg"})
+    figures.removeOne(name);  // identical: no PSNR is a number
+  QCOMPARE(namesIn("out/plots"), QStringList{"means.tex"} + figures);
+  for (const QString& name : figures) {
+    const QByteArray content = contentOf("out/plots/" + name);
+    if (name.endsWith(".csv")) {
+      QVERIFY2(content.count('\n') > 3, qPrintable(name));
+      continue;
+    }
+    QXmlStreamReader xml(content);
+    while (!xml.atEnd()) xml.readNext();
+    QVERIFY2(!xml.hasError() && content.startsWith("<svg xmlns=") && content.contains("86mm"),
+             qPrintable(name));
+  }
   const Session session = loadSession("s.json");
   const auto noise = metricsOf(session, loadSession("s.json", {"lightField.file=b.png"}));
   const auto same = metricsOf(session, session);
@@ -180,8 +200,8 @@ void TestReport::pictures() {
   QCOMPARE(report({"--test", "b.png", "--test", "a.png", "--images", "--states", "[!a]*"}).status,
            0);
   QCOMPARE(namesIn("out"),
-           (QStringList{"metrics.csv", "panel_error", "reference", "report.csv", "report.hashes",
-                        "report.html", "summary.csv", "test1", "test2", "views"}));
+           (QStringList{"metrics.csv", "panel_error", "plots", "reference", "report.csv",
+                        "report.hashes", "report.html", "summary.csv", "test1", "test2", "views"}));
   Session session = loadSession("s.json");
   session.cameras.erase(session.cameras.begin());
   const std::vector<Image> references = simulated(session);
@@ -201,11 +221,11 @@ void TestReport::page() {
   QString page = QString::fromUtf8(contentOf("out/report.html"));
   QVERIFY(page.startsWith("<!DOCTYPE html>"));
   QVERIFY(page.trimmed().endsWith("</html>"));
-  page.remove("src=\"data:image/png;base64,");
+  page.remove("src=\"data:image/png;base64,").remove("href=\"data:image/png;base64,");
   for (const char* outside : {"http:", "https:", "src=", "href=", "url(", "@import", "<link"})
     QVERIFY2(!page.contains(outside), outside);
-  QVERIFY(page.contains("<td>&lt;i&gt;&amp;</td><td>b.png</td>"));
-  QVERIFY(page.contains("<td>a, &quot;b&quot;</td><td>b.png</td>"));
+  QVERIFY(page.contains("<td>&lt;i&gt;&amp;</td><td>b</td>"));
+  QVERIFY(page.contains("<td>a, &quot;b&quot;</td><td>b</td>"));
   QVERIFY(!page.contains("<i>"));
   const QStringList cells = cellsOf(contentOf("out/report.csv").split('\n')[1]);
   QVERIFY(page.contains(">" + QString::number(cells[5].toDouble(), 'f', 2) + "</td>"));

@@ -31,6 +31,7 @@
 #include "gui/view/image_widget.h"
 #include "gui/widgets/colours.h"
 #include "io/documents/session_file.h"
+#include "report/page/test_names.h"
 #include "tests/cli/csv.h"
 #include "tests/gui/patience.h"
 #include "tests/gui/window_files.h"

@@ -46,7 +46,7 @@ const std::map<QString, QStringList>& allowedRooms() {
       {"vtk", {"core", "io", "sdk/hogelscope"}},
       {"study", {"core"}},
       {"measure", {"core", "io", "campaign", "page", "sdk/hogelscope"}},
-      {"page", {"core"}},
+      {"page", {"core", "io/files"}},
       {"chart", {"core", "page", "study", "measure"}},
       {"picture", {"core"}},
       {"campaign", {"core", "io"}},

@@ -171,7 +171,8 @@ class Render(FolderTest):
         with self.assertRaises(TypeError):
             s.render(0, threads=10**12)
         self.assertRefuses("threads: -1 is below 0", s.render, 0, threads=-1)
-        self.assertRefuses("list of camera states", hs.Session({"cameras": [5]}).render, [0])
+        self.assertRefuses("list of camera states", hs.Session({"cameras": [5]}, check=False).render,
+                           [0])
 
     def test_states_that_are_none(self):
         session = hs.Session(TABLE1)
@@ -218,7 +219,28 @@ class Render(FolderTest):
             self.assertRefuses("picture: is ", hs.compare, a.image, wrong)
         self.assertRefuses("plugin ms-sim: is not installed", hs.compare, a, b, metrics=["ms-sim"])
         with self.assertRaises(TypeError):
-            hs.compare(a, [1, 2])
+            hs.compare(a, 5)
+
+    def test_views_are_pictures(self):
+        """For numpy, and for notebooks; matplotlib shows them."""
+        view = hs.Session(small_session()).render(0, random_views())
+        self.assertIs(np.asarray(view), view.image)
+        self.assertEqual(np.asarray(view, np.float32).dtype, np.float32)
+        copied = np.array(view)
+        self.assertIsNot(copied, view.image)
+        self.assertSame(copied, view.image)
+        view.save(self.path("view.png"))
+        with open(self.path("view.png"), "rb") as file:
+            self.assertEqual(view._repr_png_(), file.read())
+        self.assertEqual(hs.compare(view, np.asarray(view))["psnr"], math.inf)
+        try:
+            from matplotlib import pyplot
+        except ImportError:
+            self.skipTest("needs python3-matplotlib")
+        view.show()
+        shown = pyplot.gcf().axes[0].images[0].get_array()
+        self.assertSame(np.asarray(shown), view.image)
+        pyplot.close("all")
 
     def test_bd_rate(self):
         anchor = [(1, 30), (2, 33), (4, 36), (8, 39)]

@@ -98,6 +98,153 @@ class Report(FolderTest):
                   for name in rates}
         self.assertAlmostEqual(hs.bd_rate(points["a"], points["b"])["rate"], -50, 6)
 
+    def test_more_than_rows(self):
+        """Means, intervals and BD-rates are those of the files."""
+        tests = {f"{codec}{k}": self.views // step * step + shift
+                 for codec, shift in (("a", 0), ("b", 1), ("c", 2))
+                 for k, step in enumerate((32, 16, 8, 4))}
+        rates = {codec: {f"{codec}{k}": (1 + 0.1 * n) * 2**k for k in range(4)}
+                 for n, codec in enumerate("abc")}
+        bare = hs.Session(small_session())
+        bare["cameras"][0]["weight"] = 3
+        made = hs.report(bare, tests, light_field=self.views, groups=rates, output=self.path("out"))
+        self.assertIsInstance(made, list)
+        self.assertEqual(len(made), 24)
+        with open(self.path("out", "summary.csv"), encoding="utf-8") as file:
+            for row in csv.DictReader(file):
+                if row["figure"] != "mean_psnr_seen" or row["test"] == "all tests":
+                    continue
+                ours, ranges = made.summary[row["test"]], made.intervals[row["test"]]
+                self.assertEqual(float(row["value"]), ours["mean_psnr_seen"])
+                self.assertEqual(float(row["weighted"]), ours["weighted_mean_psnr_seen"])
+                self.assertEqual((float(row["low"]), float(row["high"])), ranges["mean_psnr_seen"])
+        with open(self.path("out", "bd.csv"), encoding="utf-8") as file:
+            lines = list(csv.DictReader(file))
+        self.assertEqual(len(lines), len(made.bd))
+        for line, ours in zip(lines, made.bd):
+            self.assertEqual([line[name] for name in ("anchor", "group", "quality", "means")],
+                             [ours[name] for name in ("anchor", "group", "quality", "means")])
+            if not ours["problem"]:
+                self.assertEqual(float(line["bd_rate_percent"]), ours["rate"])
+                self.assertEqual(float(line["bd_rate_low"]), ours["rate_interval"][0])
+        self.assertEqual({(one["anchor"], one["group"]) for one in made.bd},
+                         {("a", "b"), ("a", "c"), ("b", "c")})
+        self.assertTrue(os.path.exists(self.path("out", "plots", "rate_mean_psnr_seen.svg")))
+
+    def test_functions_as_metrics(self):
+        """A function's numbers are in every table; what it is told is what the report knows."""
+        told = []
+
+        def mean_error(reference, test, seen, info):
+            told.append(info)
+            self.assertEqual(reference.dtype, np.float32)
+            self.assertEqual(seen.dtype, bool)
+            self.assertEqual(reference.shape, (*seen.shape, 3))
+            self.assertTrue(0 <= test.min() and test.max() <= 1)
+            return 255**2 * np.mean((reference[seen] - test[seen]) ** 2)
+
+        def both(reference, test, seen, info):
+            return {"light": float(test.mean()), "nothing": math.nan}
+
+        tests = {f"q{k}": self.views // step * step for k, step in enumerate((64, 32, 16, 8))}
+        made = hs.report(self.session, tests, output=self.path("out"), images=True,
+                         groups={"a": {f"q{k}": 2.0**k for k in range(4)},
+                                 "b": {f"q{k}": 3.0**k for k in range(4)}},
+                         metrics={"mean_error": mean_error, "both": both})
+        self.assertEqual(len(told), 8)  # once for each state and test
+        self.assertEqual({info["state"] for info in told}, {"middle", "left"})
+        middle = next(info for info in told if info["state"] == "middle")
+        self.assertAlmostEqual(middle["distance"], 0.6)
+        focal = 20 / math.tan(math.radians(25))  # pixels, of 40 down 50 degrees
+        self.assertAlmostEqual(middle["pixels_per_degree"], math.radians(focal), 2)
+        self.assertEqual(middle["light"], "encoded")
+        for row in made:
+            self.assertAlmostEqual(row["mean_error"], row["mse_seen"], 3)
+            self.assertTrue(math.isnan(row["both_nothing"]))
+        with open(self.path("out", "metrics.csv"), encoding="utf-8") as file:
+            for row, ours in zip(csv.DictReader(file), made):
+                self.assertEqual(float(row["mean_error"]), ours["mean_error"])
+                self.assertEqual(float(row["both_light"]), ours["both_light"])
+        low, high = made.intervals["q0"]["mean_mean_error"]
+        self.assertLess(low, high)
+        errors = [row["mean_error"] for row in made if row["test"] == "q0"]
+        self.assertAlmostEqual(made.summary["q0"]["mean_mean_error"], sum(errors) / 2)
+        page = read(self.path("out", "report.html"), mode="r")
+        self.assertIn("mean mean_error", page)
+        # An error falls with the rate, so that it has a BD-rate.
+        bd = next(one for one in made.bd if one["quality"] == "mean_mean_error")
+        self.assertEqual(bd["problem"], "")
+        self.assertTrue(os.path.exists(self.path("out", "plots", "rate_mean_mean_error.csv")))
+        self.assertFalse(os.path.exists(self.path("out", "report.columns")))
+
+    def test_functions_are_not_called_again(self):
+        """A report that goes on takes their numbers from its journal, columns too."""
+        bare = hs.Session(small_session())
+        bare["cameras"] = hs.cameras(bare, "random", count=12)
+        coded = self.views // 16 * 16
+        called = []
+
+        def metric(fails_at):
+            def spread(reference, test, seen, info):
+                called.append(info["state"])
+                if len(called) == fails_at:
+                    raise KeyError("as it\nhappens")
+                return {"a": float(np.std(test)), "b": 1.0}
+            return {"spread": spread}
+
+        with self.assertRaisesRegex(hs.InputError, r"metrics: spread: raises KeyError: .*happens") as at:
+            hs.report(bare, {"c": coded}, light_field=self.views, output=self.path("out"),
+                      metrics=metric(6), threads=1)
+        self.assertNotIn("\n", str(at.exception))
+        done = len(called) - 1
+        rows = hs.report(bare, {"c": coded}, light_field=self.views, output=self.path("out"),
+                         metrics=metric(-1))
+        self.assertEqual(len(called), done + 1 + 12 - done)  # the one that failed is asked again
+        self.assertEqual(len({*called}), 12)
+        whole = hs.report(bare, {"c": coded}, light_field=self.views, output=self.path("other"),
+                          metrics=metric(-1))
+        self.assertEqual(rows, whole)
+        self.assertEqual(rows.summary, whole.summary)
+
+    def test_functions_that_are_wrong(self):
+        report, s, tests = hs.report, self.session, {"c": self.coded}
+
+        def refuses(pattern, **metrics):
+            self.assertRefuses(pattern, report, s, tests, output=self.path("out"), metrics=metrics)
+
+        refuses("returns <class 'str'>, not a number", m=lambda *_: "one")
+        refuses("returns <class 'NoneType'>", m=lambda *_: None)
+        refuses("returns an empty dict", m=lambda *_: {})
+        refuses('returns the key "a b"', m=lambda *_: {"a b": 1})
+        refuses("psnr: is the name of another column", psnr=lambda *_: 1)
+        refuses("raises ZeroDivisionError: division by zero", m=lambda *_: 1 / 0)
+        calls = iter(range(9))
+        refuses("m: returns m_1 for .*, but m_0 before", m=lambda *_: {next(calls): 1})
+        self.assertRefuses("is no column's name", report, s, tests, output=self.path("out"),
+                           metrics={"a,b": lambda *_: 1})
+        with self.assertRaisesRegex(TypeError, "is no function"):
+            report(s, tests, output=self.path("out"), metrics={"m": 5})
+
+    def test_tests_of_any_kind(self):
+        """Lists of light fields and arrays; what numpy makes an array of is one."""
+
+        class Wrapped:
+            def __init__(self, array):
+                self.array = array
+
+            def __array__(self, dtype=None, copy=None):
+                return self.array
+
+        coded = self.views // 16 * 16
+        rows = hs.report(hs.Session(small_session()),
+                         [coded, hs.LightField(coded), Wrapped(coded), list(coded)],
+                         light_field=Wrapped(self.views), output=self.path("out"))
+        self.assertEqual([row["test"] for row in rows[:4]], [f"test {k}" for k in range(1, 5)])
+        self.assertEqual(len({row["mse"] for row in rows[:4]}), 1)
+        one = hs.report(hs.Session(small_session()), coded, light_field=self.views,
+                        output=self.path("one"))
+        self.assertEqual(one[0]["mse"], rows[0]["mse"])
+
     def test_against_ideal(self):
         live = hs.Session(small_session(
             display={"hogels": [32, 32], "directions": [8, 8]},

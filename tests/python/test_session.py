@@ -5,11 +5,12 @@ import copy
 import json
 import os
 import pickle
+import subprocess
 import unittest
 import warnings
 
 import numpy as np
-from support import TABLE1, FolderTest, program, random_views, refusal, small_session
+from support import PROGRAM, TABLE1, FolderTest, program, random_views, refusal, small_session
 
 import hogelscope as hs
 
@@ -68,7 +69,7 @@ class Sessions(FolderTest):
             said = refusal("--render", "--session", file, "--output", self.path("o"))
             self.assertEqual(self.assertRefuses("", hs.Session, file), said)
             words = said.removeprefix(file + ": ")
-            s = hs.Session(document)  # checked when it is used
+            s = hs.Session(document, check=False)  # checked when it is used
             self.assertEqual(self.assertRefuses("", s.render), words)
         s = hs.Session(TABLE1)
         s["display"]["fvo"] = 50
@@ -77,7 +78,8 @@ class Sessions(FolderTest):
         self.assertRefuses("^{}/none: there is no such file".format(self.folder), hs.Session,
                            self.path("none"))
         self.assertRefuses("not JSON", hs.Session, "{]")
-        self.assertRefuses("not finite", hs.Session(small_session(display={"fov": [1, np.nan]})).check)
+        self.assertRefuses("not finite", hs.Session,
+                           small_session(display={"fov": [1, np.nan]}))
         endless = hs.Session(small_session())
         endless["display"]["self"] = endless["display"]
         self.assertRefuses("contains itself", endless.check)
@@ -145,6 +147,45 @@ class Sessions(FolderTest):
         self.assertRefuses('"rnd" is not one of uniform', hs.cameras, s, "rnd")
         self.assertRefuses("out of range", hs.cameras, s, "random", count=10**7)
         self.assertRefuses("cameraRegion.extent", hs.cameras, s, region={"extent": [1, 1, -1]})
+
+    def test_mappings_are_checked_when_made(self):
+        """With the words of the program; without a light field and states, which calls may give."""
+        self.assertRefuses("fvo: is not known", hs.Session, {"display": {"fvo": [1, 1]}})
+        self.assertRefuses("cameras\\[0\\].fov", hs.Session, {"cameras": [{"fov": 500}]})
+        self.assertRefuses("cameras", hs.Session, {"cameras": 5})
+        self.assertEqual(hs.Session({"display": {"fvo": 1}}, check=False)["display"], {"fvo": 1})
+        hs.Session({"display": {"size": [0.4, 0.4]}})
+
+    def test_states_get_names(self):
+        s = hs.Session({"cameras": [{"eye": [0, 0, 1]}, {"name": "mine"}, {}]})
+        self.assertEqual([state["name"] for state in s["cameras"]], ["view 1", "mine", "view 3"])
+        s["cameras"].append({"eye": [0, 0, 2]})
+        s["lightField"] = {"file": "none", "layout": "views"}
+        self.assertIn('"view 4"', s.text())
+
+    def test_info(self):
+        """What --info --json prints, of a light field and of a session."""
+        self.write_views(random_views())
+        found = hs.info(self.path("views"))
+        self.assertEqual((found["layout"], found["hogels"], found["directions"]),
+                         ("views", [10, 12], [4, 3]))
+        self.assertIn(found["confidence"], ("sure", "likely", "unknown"))
+        self.assertIsInstance(found["warnings"], list)
+        file = self.write("s.json", small_session(lightField={"file": "views", "layout": "views"}))
+        self.assertEqual(hs.info(file)["directions"], [4, 3])
+        done = subprocess.run([PROGRAM, "--info", self.path("views"), "--json"], capture_output=True,
+                              text=True, check=True)
+        self.assertEqual(found, json.loads(done.stdout))
+        self.assertRefuses("/none", hs.info, self.path("none"))
+
+    def test_warnings_come_once(self):
+        self.write_views(random_views())
+        os.remove(self.path("views", "01_01.png"))
+        with warnings.catch_warnings(record=True) as caught:
+            warnings.simplefilter("always")
+            for _ in range(3):
+                hs.open(self.path("views"), "views", display={"directions": [4, 3]})
+        self.assertLessEqual(len(caught), 1)
 
 
 if __name__ == "__main__":

@@ -11,6 +11,7 @@
 
 #include "core/base/text.h"
 #include "page/html.h"
+#include "report/page/test_names.h"
 #include "tests/core/random.h"
 #include "tests/report/metric_values.h"
 
@@ -85,7 +86,10 @@ class TestReportPage : public QObject {
   void onlyItsOwnScriptRuns();
   void facts();
   void meansAndProblems();
-  void oneTestHasNoRowOfAllTests();
+  void testsHaveShortNames();
+  void oneTestAtATime();
+  void weightedMeansComeFirst();
+  void warnings();
   void problemsInTheTable();
   void pictures();
   void noSuchRow();
@@ -138,19 +142,19 @@ void TestReportPage::roundedNumbers() {
 }
 
 void TestReportPage::partsInOrder() {
-  QCOMPARE(
-      textsOf(html(fullPage()), "h2"),
-      (QStringList{"Means over the states", "Quality over rate", "Bjøntegaard deltas",
-                   "PSNR over camera position", "Worst, median and best views",
-                   "Where the error comes from", "All states", "How far the lenses can be trusted",
-                   "How to read the figures", "What was tested"}));
+  QCOMPARE(textsOf(html(fullPage()), "h2"),
+           (QStringList{"Results", "Quality over rate", "Bjøntegaard deltas",
+                        "PSNR over camera position", "Worst, median and best views",
+                        "Where the error comes from", "Means over the whole frame", "All states",
+                        "How far the lenses can be trusted", "How to read the figures",
+                        "What was tested"}));
 }
 
 void TestReportPage::emptyPartsLeaveNoHeading() {
   QCOMPARE(textsOf(html(pageOf({})), "h2"),
            (QStringList{"How to read the figures", "What was tested"}));
   QCOMPARE(textsOf(html(pageOf({row("a", 1)})), "h2"),
-           (QStringList{"Means over the states", "PSNR over camera position", "All states",
+           (QStringList{"Results", "Means over the whole frame", "All states",
                         "How to read the figures", "What was tested"}));
 }
 
@@ -158,7 +162,7 @@ void TestReportPage::emptyPartsLeaveNoHeading() {
 void TestReportPage::oneFile() {
   QString page = QString::fromStdString(html(fullPage()));
   QVERIFY(page.startsWith("<!DOCTYPE html>") && page.trimmed().endsWith("</html>"));
-  page.remove("src=\"data:image/png;base64,");
+  page.remove("src=\"data:image/png;base64,").remove("href=\"data:image/png;base64,");
   for (const char* outside : {"http:", "https:", "src=", "href=", "url(", "@import", "<link"})
     QVERIFY2(!page.contains(outside), outside);
 }
@@ -199,29 +203,71 @@ void TestReportPage::meansAndProblems() {
   QVERIFY(!contains(html(pageOf({row("a", 1)})), "nothing to compare</th>"));
 }
 
-void TestReportPage::oneTestHasNoRowOfAllTests() {
-  ReportPage page = pageOf({row("a", 1), row("b", 2)});
-  QVERIFY(!textsOf(html(page), "td").contains("all tests"));
-  page.rows[1].test = "u.png";
+/// Over codecs and rates a mean of all tests means nothing. Tests have short names.
+void TestReportPage::testsHaveShortNames() {
+  ReportPage page = pageOf({row("a", 1), row("a", 2)});
+  for (ReportRow& one : page.rows) one.test = "x/t.png";
+  page.rows[1].test = "x/u.png";
   page.summaries = summariseTests(page.rows, page.metrics);
-  QVERIFY(textsOf(html(page), "td").contains("all tests"));
+  const QStringList cells = textsOf(html(page), "td");
+  QVERIFY(!cells.contains("all tests") && !cells.contains("x/t.png"));
+  QCOMPARE(cells.count("t"), 3);  // means, means over the frame, states
+  using Names = std::vector<std::string>;
+  QCOMPARE(figureNames({"a/q.jpg", "b/r.jpg"}), Names({"q", "r"}));
+  QCOMPARE(figureNames({"q.jpg", "q.jp2"}), Names({"q.jpg", "q.jp2"}));
+  QCOMPARE(figureNames({"views/", "v/q0.25"}), Names({"views", "q0.25"}));
+  QCOMPARE(figureNames({".jpg", "/"}), Names({".jpg", ""}));
+}
+
+/// The figures of one test are shown at a time: sections that the script reads.
+void TestReportPage::oneTestAtATime() {
+  ReportPage page = pageOf({row("a", 1), row("a", 2), row("b", 3), row("b", 4)});
+  for (std::size_t k = 0; k < 4; ++k) {
+    page.rows[k].test = k % 2 == 0 ? "t.png" : "u.png";
+    page.rows[k].eye = {k < 2 ? 0.0 : 0.1, 0, 1};
+  }
+  page.summaries = summariseTests(page.rows, page.metrics);
+  const QString text = QString::fromStdString(html(page));
+  QCOMPARE(text.count("<section data-test=\"t\">"), 1);
+  QCOMPARE(text.count("<section data-test=\"u\">"), 1);
+  QCOMPARE(figuresOf(page).size(), std::size_t(6));
+}
+
+/// Weighted means come first where states have weights, and LaTeX has them alone.
+void TestReportPage::weightedMeansComeFirst() {
+  ReportPage page = pageOf({row("a", 650.25), row("b", 65.025)});
+  page.rows[0].weight = 3;
+  page.summaries = summariseTests(page.rows, page.metrics);
+  const QStringList cells = textsOf(html(page), "td");
+  QVERIFY(cells.indexOf("t, weighted") >= 0);
+  QVERIFY(cells.indexOf("t, weighted") < cells.indexOf("t"));
+  QVERIFY(cells.filter("22.50 (").size() >= 1);  // (3·20 + 30)/4
+  const std::string tex = meansTex(page.summaries, page.metrics);
+  QVERIFY(contains(tex, "t, weighted & 22.50 ("));
+  QVERIFY(!contains(tex, "25.00 ("));
+}
+
+void TestReportPage::warnings() {
+  ReportPage page = pageOf({row("a", 1)});
+  QVERIFY(!contains(html(page), "class=\"warning\""));
+  page.warnings = {"the reference is <lossy>"};
+  QVERIFY(contains(html(page), "<p class=\"warning\">the reference is &lt;lossy&gt;</p>"));
 }
 
 void TestReportPage::problemsInTheTable() {
   const std::string page = html(fullPage());
   QVERIFY(contains(page,
-                   "<tr><td>d</td><td>t.png</td><td colspan=\"9\" class=\"problem\">"
+                   "<tr><td>d</td><td>t</td><td colspan=\"9\" class=\"problem\">"
                    "sees &lt;nothing&gt;</td></tr>"));
-  QVERIFY(contains(page, "<tr><td>c</td><td>t.png</td><td class=\"n\">identical</td>"));
-  QVERIFY(contains(page, "<tr><td>a</td><td>t.png</td><td class=\"n\">20.00</td>"));
+  QVERIFY(contains(page, "<tr><td>c</td><td>t</td><td class=\"n\">identical</td>"));
+  QVERIFY(contains(page, "<tr><td>a</td><td>t</td><td class=\"n\">20.00</td>"));
 }
 
 void TestReportPage::pictures() {
   const std::string page = html(fullPage());
   for (const char* bytes : {"PNG1", "PNG2", "PNG3", "PNG4", "PNG5"})
-    QVERIFY2(contains(page, "src=\"data:image/png;base64," + hogelscope::base64(bytes) + "\""),
-             bytes);
-  QVERIFY(textsOf(page, "h3").contains("Worst view: a, t.png: PSNR 20.00 dB, SSIM 0.5000"));
+    QVERIFY2(contains(page, "=\"data:image/png;base64," + hogelscope::base64(bytes) + "\""), bytes);
+  QVERIFY(textsOf(page, "h3").contains("Worst view: a: PSNR 20.00 dB, SSIM 0.5000"));
   const QStringList captions = textsOf(page, "figcaption");
   QVERIFY(captions.contains("absolute difference, 8 times as bright"));
   QVERIFY(contains(page, "half of the") || contains(page, "Half of the squared error"));

@@ -5,6 +5,7 @@
 
 #include <QTest>
 #include <QXmlStreamReader>
+#include <algorithm>
 #include <cmath>
 
 #include "core/base/colour_map.h"
@@ -93,6 +94,20 @@ QString hex(double share) {
       .arg(b, 2, 16, QChar('0'));
 }
 
+/// The drawing of a figure of the first test by the end of its name; none if it is left out.
+QList<Element> figureOf(const std::vector<ReportRow>& rows, const PanelParams& display,
+                        const char* ending) {
+  for (const Figure& figure : cameraFigures(rows, 0, display))
+    if (figure.name == std::string("test1_") + ending) return drawingsOf(figure.svg)[0];
+  return {};
+}
+
+std::vector<std::string> namesOf(const std::vector<Figure>& figures) {
+  std::vector<std::string> names;
+  for (const Figure& figure : figures) names.push_back(figure.name);
+  return names;
+}
+
 }  // namespace
 
 class TestReportPlots : public QObject {
@@ -109,6 +124,7 @@ class TestReportPlots : public QObject {
   void everythingLiesInside();
   void angles();
   void seriesDiffer();
+  void coincidingPointsAreLeftOut();
   void nothingToPlot();
   void namesAreEscaped();
   void curvesFollowRates();
@@ -117,12 +133,9 @@ class TestReportPlots : public QObject {
 
 /// From above x goes right and z down, from the front y goes up, at one scale; the panel too.
 void TestReportPlots::circlesFollowTheEyes() {
-  const std::string html =
-      cameraMaps({row("a", {0, 0, 0.5}, 30), row("b", {0.2, 0.1, 0.9}, 40)}, displayOf(0.5, 0.3));
-  const auto drawings = drawingsOf(html);
-  QCOMPARE(drawings.size(), 3);  // two maps and the colours
   for (int k = 0; k < 2; ++k) {
-    const auto& map = drawings[k];
+    const auto map = figureOf({row("a", {0, 0, 0.5}, 30), row("b", {0.2, 0.1, 0.9}, 40)},
+                              displayOf(0.5, 0.3), k == 0 ? "above" : "front");
     const Element a = pointOf(map, "a");
     const auto scales = scalesOf(a, pointOf(map, "b"), 0.2, k == 0 ? 0.4 : 0.1);
     QVERIFY(scales[0] > 100);
@@ -147,27 +160,37 @@ void TestReportPlots::displayFrame() {
   PanelParams display = displayOf();
   display.position = {1, 2, 3};
   display.orientation = {0, 90, 0};
-  const auto map = drawingsOf(cameraMaps({row("a", {1.6, 2.1, 3}, 30)}, display))[0];
+  const auto map =
+      figureOf({row("a", {1.6, 2.1, 3}, 30), row("b", {1.7, 2.1, 3}, 30)}, display, "above");
   QVERIFY2(pointOf(map, "a").title.endsWith("eye 0.000, 0.100, 0.600 m"),
            qPrintable(pointOf(map, "a").title));
 }
 
 void TestReportPlots::colours() {
-  const auto drawings = drawingsOf(cameraMaps(
-      {row("a", {0, 0, 1}, 20), row("b", {0, 0, 2}, 30), row("c", {0, 0, 3}, 27.5)}, displayOf()));
+  const auto map =
+      figureOf({row("a", {0, 0, 1}, 20), row("b", {0, 0, 2}, 30), row("c", {0, 0, 3}, 27.5)},
+               displayOf(), "above");
   const auto fill = [&](const char* state) {
-    return pointOf(drawings[0], state).attributes.value("fill").toString();
+    return pointOf(map, state).attributes.value("fill").toString();
   };
   QCOMPARE(fill("a"), hex(0));
   QCOMPARE(fill("b"), hex(1));
   QCOMPARE(fill("c"), hex(0.75));
-  QCOMPARE(named(drawings[2], "text")[1].text, QString("20"));
+  // The scale of colours: its lowest number stands at the map's bottom.
+  const auto texts = named(map, "text");
+  QCOMPARE(texts.back().text.trimmed(), QString("dB"));
+  const auto lowest = std::ranges::find_if(
+      texts, [](const Element& text) { return text.text == "20" && text.number("x") > 300; });
+  QVERIFY(lowest != texts.end());
+  const auto frames = named(map, "rect");
+  const auto frame = std::ranges::find(frames, QString("frame"), &Element::style);
+  QVERIFY(std::abs(lowest->number("y") - 4 - frame->number("y") - frame->number("height")) < 0.1);
 }
 
 void TestReportPlots::kinds() {
-  const auto map = drawingsOf(
-      cameraMaps({row("a", {0, 0, 1}, infinite), blind("b", {0, 0, -1}), row("c", {1, 0, 1}, 9)},
-                 displayOf()))[0];
+  const auto map =
+      figureOf({row("a", {0, 0, 1}, infinite), blind("b", {0, 0, -1}), row("c", {1, 0, 1}, 9)},
+               displayOf(), "above");
   QCOMPARE(pointOf(map, "a").style, QString("hollow"));
   QCOMPARE(pointOf(map, "b").style, QString("none"));
   QCOMPARE(pointOf(map, "b").title, QString("b: sees nothing; eye 0.000, 0.000, -1.000 m"));
@@ -176,9 +199,9 @@ void TestReportPlots::kinds() {
 }
 
 void TestReportPlots::theWorstIsOnTop() {
-  const auto map = drawingsOf(
-      cameraMaps({row("a", {0, 0, 1}, 20), row("b", {0, 0, 1}, 10), row("c", {0, 0, 1}, infinite)},
-                 displayOf()))[0];
+  const auto map =
+      figureOf({row("a", {0, 0, 1}, 20), row("b", {0, 0, 2}, 10), row("c", {0, 0, 1}, infinite)},
+               displayOf(), "above");
   const auto circles = named(map, "circle");
   QCOMPARE(circles.size(), 3);
   QVERIFY(circles[2].title.startsWith("b:") && circles[0].title.startsWith("c:"));
@@ -187,7 +210,7 @@ void TestReportPlots::theWorstIsOnTop() {
 void TestReportPlots::everythingLiesInside_data() {
   QTest::addColumn<int>("states");
   QTest::addColumn<double>("size");
-  QTest::newRow("one") << 1 << 0.0;
+  QTest::newRow("two") << 2 << 1.0;
   QTest::newRow("few") << 6 << 1.0;
   QTest::newRow("many") << 1000 << 1.0;
   QTest::newRow("far") << 50 << 1e5;
@@ -203,17 +226,17 @@ void TestReportPlots::everythingLiesInside() {
     const auto some = [&] { return size * random.uniform(-1, 1); };
     rows.push_back(row(std::to_string(k), {some(), some(), 0.5 + some()}, random.uniform(5, 60)));
   }
-  const auto drawings = drawingsOf(cameraMaps(rows, displayOf()) + anglePlot(rows, displayOf()));
-  QCOMPARE(drawings.size(), 5);  // and the legend's marker
-  for (const int k : {0, 1, 3}) {
-    const QStringList box = drawings[k][0].attributes.value("viewBox").toString().split(' ');
-    const auto circles = named(drawings[k], "circle");
+  for (const char* ending : {"above", "front", "angle"}) {
+    const auto drawing = figureOf(rows, displayOf(), ending);
+    QVERIFY2(!drawing.isEmpty(), ending);
+    const QStringList box = drawing[0].attributes.value("viewBox").toString().split(' ');
+    const auto circles = named(drawing, "circle");
     QCOMPARE(circles.size(), states);
     for (const Element& circle : circles) {
       QVERIFY(circle.number("cx") > 60 && circle.number("cx") < box[2].toDouble());
       QVERIFY(circle.number("cy") > 5 && circle.number("cy") < box[3].toDouble() - 40);
     }
-    const auto labels = named(drawings[k], "text");
+    const auto labels = named(drawing, "text");
     QVERIFY(labels.size() > 5 && labels.size() < 40);
     for (const Element& label : labels) QVERIFY(!label.text.contains("nan"));
   }
@@ -225,10 +248,9 @@ void TestReportPlots::angles() {
     const double angle = degrees * 3.14159265358979323846 / 180;
     return Vec3{2 * std::sin(angle), 0.4, 2 * std::cos(angle)};
   };
-  const auto plot =
-      drawingsOf(anglePlot({row("a", eye(-20), 30), row("b", eye(10), 35), row("c", eye(30), 50),
-                            row("d", eye(0), infinite), blind("e", eye(5))},
-                           displayOf()))[0];
+  const auto plot = figureOf({row("a", eye(-20), 30), row("b", eye(10), 35), row("c", eye(30), 50),
+                              row("d", eye(0), infinite), blind("e", eye(5))},
+                             displayOf(), "angle");
   const auto at = [&](const char* state) { return pointOf(plot, state); };
   const double degree = (at("c").number("cx") - at("a").number("cx")) / 50;
   QVERIFY(degree > 5);
@@ -241,37 +263,75 @@ void TestReportPlots::angles() {
   QVERIFY(at("e").name.isEmpty());
 }
 
-/// Twelve tests: no two with the same colour and the same marker.
+/// Twelve curves: no two with the same colour, marker and dashes; their names stand below them.
 void TestReportPlots::seriesDiffer() {
-  std::vector<ReportRow> rows;
-  rows.reserve(12);
-  for (int k = 0; k < 12; ++k) rows.push_back(row("a", {0, 0, 1}, 30, std::to_string(k)));
-  const std::string html = anglePlot(rows, displayOf());
-  const auto drawings = drawingsOf(html);
-  QCOMPARE(drawings.size(), 13);
-  QStringList markers;
-  for (int k = 1; k < 13; ++k) {
-    const Element& shape = drawings[k][1];
-    markers.push_back(drawings[k][0].attributes.value("fill").toString() + shape.name +
-                      shape.attributes.value("points").toString());
+  Plot plot{"x", "y", {1, 1}, true, false, {}};
+  for (int k = 0; k < 12; ++k)
+    plot.series.push_back({"curve number " + std::to_string(k), {{0, double(k), "point", 0, {}}}});
+  const QList<Element> drawing = drawingsOf(svgOf(plot, {376, 296}, "map", ""))[0];
+  const double height = drawing[0].attributes.value("viewBox").toString().split(' ')[3].toDouble();
+  QStringList looks, greys;
+  QString colour;
+  Element last;
+  for (const Element& element : drawing) {
+    if (element.name == "g" && element.style == "points")
+      colour = element.attributes.value("fill").toString();
+    if (element.style == "curve") last = element;
+    const bool isMark = element.name == "circle" || element.name == "polygon";
+    if (!isMark || !element.title.isNull()) continue;  // a point of the plot has a title
+    const QString grey = element.name +
+                         QString::number(element.attributes.value("points").toString().count(' ')) +
+                         last.attributes.value("stroke-dasharray").toString();
+    looks.push_back(colour + grey);
+    greys.push_back(grey);
   }
-  markers.removeDuplicates();
-  QCOMPARE(markers.size(), 12);
+  QCOMPARE(looks.size(), 12);
+  looks.removeDuplicates();
+  QCOMPARE(looks.size(), 12);
+  QStringList first = greys.mid(0, 4);
+  first.removeDuplicates();
+  QCOMPARE(first.size(), 4);  // also without colours
+  int names = 0;
+  for (const Element& text : named(drawing, "text")) {
+    if (!text.text.startsWith("curve number")) continue;
+    ++names;
+    QVERIFY(text.number("y") > 296 && text.number("y") < height && text.number("x") < 376 - 90);
+  }
+  QCOMPARE(names, 12);
+}
+
+/// Six states of one eye are no plot over the eye's place; over the states they are.
+void TestReportPlots::coincidingPointsAreLeftOut() {
+  using Names = std::vector<std::string>;
+  std::vector<ReportRow> rows{row("a", {0, 0, 1}, 20), row("b", {0, 0, 1}, 30)};
+  QCOMPARE(namesOf(cameraFigures(rows, 0, displayOf())), Names{"test1_states"});
+  rows[1].eye = {0, 0, 2};  // on one line of sight
+  QCOMPARE(namesOf(cameraFigures(rows, 0, displayOf())), Names({"test1_above", "test1_states"}));
+  rows[1].eye = {0, 0.1, 1};
+  QCOMPARE(namesOf(cameraFigures(rows, 0, displayOf())), Names({"test1_front", "test1_states"}));
+  rows[1].eye = {0.1, 0, 1};
+  QCOMPARE(namesOf(cameraFigures(rows, 0, displayOf())),
+           Names({"test1_above", "test1_front", "test1_angle"}));
+  rows.pop_back();
+  QVERIFY(cameraFigures(rows, 0, displayOf()).empty());
 }
 
 void TestReportPlots::nothingToPlot() {
-  QVERIFY(cameraMaps({}, displayOf()).empty());
-  QVERIFY(anglePlot({}, displayOf()).empty());
-  QVERIFY(anglePlot({row("a", {0, 0, 1}, infinite)}, displayOf()).empty());
-  const auto drawings = drawingsOf(cameraMaps({blind("a", {0, 0, -1})}, displayOf()));
-  QCOMPARE(drawings.size(), 2);  // no colours without a PSNR
+  const std::vector<ReportRow> rows{blind("a", {0, 0, -1}), blind("b", {0.1, 0, 1})};
+  const auto figures = cameraFigures(rows, 0, displayOf());
+  QCOMPARE(namesOf(figures), (std::vector<std::string>{"test1_above", "test1_front"}));
+  for (const Element& text : named(drawingsOf(figures[0].svg)[0], "text"))
+    QVERIFY(text.text != "dB");  // no colours without a PSNR
+  QVERIFY(figures[0].csv.find("a,0,0,-1,180,\n") != std::string::npos);
 }
 
 void TestReportPlots::namesAreEscaped() {
-  const std::vector<ReportRow> rows{row("<b>&\"\x01", {0, 0, 1}, 30, "<i>&")};
-  const std::string html = cameraMaps(rows, displayOf()) + anglePlot(rows, displayOf());
-  QVERIFY(pointOf(drawingsOf(html)[0], "<b>&\"\\x01").title.contains("30.00 dB"));
-  QVERIFY(html.find("<i>") == std::string::npos && html.find("<b>") == std::string::npos);
+  const std::vector<ReportRow> rows{row("<b>&\"\x01", {0, 0, 1}, 30, "<i>&"),
+                                    row("c", {0.1, 0, 1}, 30, "<i>&")};
+  std::string all;
+  for (const Figure& figure : cameraFigures(rows, 0, displayOf())) all += figure.svg;
+  QVERIFY(pointOf(drawingsOf(all)[0], "<b>&\"\\x01").title.contains("30.00 dB"));
+  QVERIFY(all.find("<i>") == std::string::npos && all.find("<b>") == std::string::npos);
 }
 
 /// Four tests at doubling rates lie evenly apart, and PSNR goes up evenly; the interval of one
@@ -288,11 +348,14 @@ void TestReportPlots::curvesFollowRates() {
   b.tests = {{"u", 0.4}};
   const MetricSet metrics;
   const std::vector<RateGroup> groups{a, b};
-  const std::string text = ratePlots(summariseTests(rows, metrics, groups), metrics, groups);
+  const auto figures = rateFigures(summariseTests(rows, metrics, groups), metrics, groups);
+  QVERIFY(figures.size() >= 4);
+  QCOMPARE(figures[0].name, std::string("rate_mean_psnr_seen"));
+  const std::string text = figures[0].svg;
   const auto plots = drawingsOf(text);
-  QVERIFY(plots.size() >= 4);
-  const auto points = named(plots[0], "circle");
-  QCOMPARE(points.size(), 4);
+  auto points = named(plots[0], "circle");
+  QCOMPARE(points.size(), 5);  // one in the legend
+  points.pop_back();
   const double step = points[1].number("cx") - points[0].number("cx");
   QVERIFY(step > 60);
   for (int k = 1; k < 4; ++k) {
@@ -303,12 +366,13 @@ void TestReportPlots::curvesFollowRates() {
   }
   QCOMPARE(points[2].title, QString("t2: 0.4 bits, 34.00 (34.00 … 34.00)"));
   const auto curves = named(plots[0], "polyline");
-  QCOMPARE(curves.size(), 2);
+  QCOMPARE(curves.size(), 4);  // with those of the legend
   QVERIFY(curves[0].attributes.value("points").toString().startsWith(
       points[0].attributes.value("cx").toString() + "," +
       points[0].attributes.value("cy").toString()));
   QVERIFY(text.find("&lt;B&gt;") != std::string::npos);
-  QVERIFY(ratePlots({}, metrics, {}).empty());
+  QVERIFY(figures[0].csv.find("A,t2,0.4,34,34,34,plain\n") != std::string::npos);
+  QVERIFY(rateFigures({}, metrics, {}).empty());
 }
 
 /// Before the first view of a report is done.
@@ -324,8 +388,9 @@ void TestReportPlots::ratesOfIdenticalTests() {
   const std::vector<ReportRow> rows{row("s", {0, 0, 1}, std::numeric_limits<double>::infinity())};
   const std::vector<RateGroup> groups{{"A", {{"t.png", 1}}}, {"B", {{"t.png", 1}}}};
   const MetricSet metrics;
-  const std::string text = ratePlots(summariseTests(rows, metrics, groups), metrics, groups);
-  QVERIFY(text.find("nan") == std::string::npos && text.find("inf") == std::string::npos);
+  for (const Figure& figure : rateFigures(summariseTests(rows, metrics, groups), metrics, groups))
+    QVERIFY(figure.svg.find("nan") == std::string::npos &&
+            figure.svg.find("inf") == std::string::npos);
 }
 
 QTEST_APPLESS_MAIN(TestReportPlots)

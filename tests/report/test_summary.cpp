@@ -71,6 +71,8 @@ class TestSummaries : public QObject {
   void metricsTable();
   void anotherMetric();
   void bdRates();
+  void bdIntervals();
+  void bdOfAnError();
   void bdProblems();
   void page();
   void latex();
@@ -228,8 +230,9 @@ void TestSummaries::anotherMetric() {
   QVERIFY(lines[1].endsWith(",99,1,") && lines[2].endsWith(",0,1,"));
   const auto summaries = summariseTests(rows, more);
   QCOMPARE(cells(linesOf(summaryCsv(summaries, more)), "t,mean_largest")[2], QString("49.5"));
-  QVERIFY(summaryTables(summaries, more).find("<th class=\"n\">mean largest</th>") !=
+  QVERIFY(meansTable(summaries, more).find("<th class=\"n\">mean largest</th>") !=
           std::string::npos);
+  QVERIFY(more.isHeadline(more.means().size() - 1) && !more.isHeadline(meanPsnr));
   const std::string table = statesTable(rows, more);
   QVERIFY(table.find("<th class=\"n\">Largest cv</th>") != std::string::npos);
   QVERIFY(table.find("<td class=\"n\">99.0</td>") != std::string::npos);
@@ -260,54 +263,141 @@ void TestSummaries::bdRates() {
   QVERIFY(near(comparisons[2].delta.from, 30));
   const QStringList lines = linesOf(bdCsv(comparisons));
   QCOMPARE(lines[0], QString("anchor,group,quality,bd_rate_percent,bd_psnr_db,psnr_from,psnr_to,"
-                             "problem,over,unit,bd_quality,quality_from,quality_to"));
+                             "problem,over,unit,bd_quality,quality_from,quality_to,means,"
+                             "bd_rate_low,bd_rate_high,bd_quality_low,bd_quality_high"));
   QCOMPARE(lines.size(), 10);
   QVERIFY(lines[8].startsWith("A,B,mean_psnr_yuv,-"));
   const QStringList psnr = lines[1].split(','), ssim = lines[2].split(',');
   QCOMPARE(psnr.mid(8, 2), (QStringList{"seen", "dB"}));
-  QCOMPARE(psnr.mid(10), psnr.mid(4, 3));
+  QCOMPARE(psnr.mid(10, 3), psnr.mid(4, 3));
+  QCOMPARE(psnr[13], QString("plain"));
+  // Of one state every draw is that state.
+  QCOMPARE(psnr.mid(14), (QStringList{psnr[3], psnr[3], psnr[10], psnr[10]}));
   QCOMPARE(ssim.mid(4, 6), (QStringList{"", "", "", "", "seen", ""}));
   QVERIFY(near(ssim[11].toDouble(), 0.5) && near(ssim[12].toDouble(), 0.56));
   QVERIFY(ssim[10].toDouble() > 0);
-  QVERIFY(bdText(comparisons)
-              .starts_with("B against A, mean_psnr_seen: BD-rate -50.00 %, at equal rate "));
-  const std::string page = bdTable(comparisons);
-  QVERIFY(page.find("<td>B</td><td>A</td><td>mean PSNR\u2011Y in dB</td><td>seen</td>"
-                    "<td class=\"n\">-50.00 %</td>") != std::string::npos);
-  QVERIFY(page.find("B &amp; A &amp; mean PSNR-Y in dB &amp; seen &amp; -50.00 \\% &amp; ") !=
+  QVERIFY(bdText(comparisons, metrics)
+              .starts_with("B against A, mean_psnr_seen: BD-rate -50.00 % (-50.00 … -50.00), at "
+                           "equal rate "));
+  const std::string page = bdTable(comparisons, metrics);
+  QVERIFY(page.find("<td>B</td><td>A</td><td>mean PSNR\u2011Y in dB</td>"
+                    "<td class=\"n\">-50.00 (-50.00 … -50.00)</td>") != std::string::npos);
+  QVERIFY(bdTex(comparisons, metrics)
+              .find("B & A & mean PSNR-Y in dB & -50.00 (-50.00 \\ldots{} -50.00) & ") !=
           std::string::npos);
-  const std::string means = summaryTables(summariesOf(rows, groups), metrics);
+  const std::string means = meansTable(summariesOf(rows, groups), metrics);
   QVERIFY(means.find("<td>b1</td><td class=\"n\">0.1000</td>") != std::string::npos);
   QVERIFY(means.find("\\begin{tabular}{lrrrrrr}\n\\hline\ntest &amp; bpp &amp; mean PSNR in dB") !=
           std::string::npos);
 }
 
+/// Three groups are three pairs. Of two states the draws are both, or one of them twice, so that an
+/// interval reaches from the least to the largest delta of these.
+void TestSummaries::bdIntervals() {
+  std::vector<ReportRow> rows;
+  std::vector<RateGroup> groups{{"A", {}}, {"B", {}}, {"C", {}}};
+  const std::array gains{0.0, 0.7, 1.9};
+  for (int k = 0; k < 4; ++k)
+    for (std::size_t g = 0; g < groups.size(); ++g) {
+      const std::string test = groups[g].name + std::to_string(k);
+      groups[g].tests.push_back({test, 0.1 * (1 << k) * (1 + 0.1 * double(g))});
+      rows.push_back(row("s", test, 2 * k + gains[g], 3));
+      rows.push_back(row("t", test, 3 * k + gains[g] * gains[g], 1));
+    }
+  const std::vector<TestSummary> summaries = summariesOf(rows, groups);
+  const auto comparisons = bdRows(summaries, metrics, groups);
+  QCOMPARE(comparisons.size(), std::size_t(3 * 2 * 8));
+  const auto deltaOf = [&](const BdRow& one, double ofS, double ofT) {
+    const auto curve = [&](const std::string& name) {
+      std::vector<RatePoint> points;
+      const auto& group = *std::ranges::find(groups, name, &RateGroup::name);
+      const double gain = gains[std::size_t(&group - groups.data())];
+      for (int k = 0; k < 4; ++k)
+        points.push_back(
+            {group.tests[std::size_t(k)].rate,
+             (ofS * (20 + 2 * k + gain) + ofT * (20 + 3 * k + gain * gain)) / (ofS + ofT)});
+      return points;
+    };
+    return bdDelta(curve(one.anchor), curve(one.group));
+  };
+  int checked = 0;
+  for (const BdRow& one : comparisons) {
+    if (one.quality.name != "mean_psnr_seen") continue;
+    const double weight = one.isWeighted ? 3 : 1;
+    const std::array draws{deltaOf(one, weight, 1), deltaOf(one, 1, 0), deltaOf(one, 0, 1)};
+    QVERIFY(near(one.delta.rate, draws[0].rate) && near(one.delta.quality, draws[0].quality));
+    const auto least = [&](double BdDelta::*of) {
+      return std::min({draws[0].*of, draws[1].*of, draws[2].*of});
+    };
+    const auto most = [&](double BdDelta::*of) {
+      return std::max({draws[0].*of, draws[1].*of, draws[2].*of});
+    };
+    QVERIFY(near(one.rate.low, least(&BdDelta::rate)) && near(one.rate.high, most(&BdDelta::rate)));
+    QVERIFY(near(one.gain.low, least(&BdDelta::quality)) &&
+            near(one.gain.high, most(&BdDelta::quality)));
+    ++checked;
+  }
+  QCOMPARE(checked, 6);
+  QVERIFY(comparisons.front().isWeighted && comparisons.front().group == "B");
+  QVERIFY(comparisons.back().anchor == "B" && comparisons.back().group == "C");
+  QVERIFY(bdCsv(comparisons).find(",weighted,") != std::string::npos);
+}
+
+/// An error that falls with the rate compares as its negative does; one that does not fall on both
+/// curves has no BD-rate.
+void TestSummaries::bdOfAnError() {
+  Metric metric;
+  metric.columns = {{.name = "good"}, {.name = "bad"}};
+  metric.means = {
+      {.name = "mean_good", .title = "", .column = 0, .isQuality = true},
+      {.name = "mean_bad", .title = "", .column = 1, .isQuality = true, .mayFall = true}};
+  const MetricSet both({metric});
+  std::vector<ReportRow> rows;
+  std::vector<RateGroup> groups{{"A", {}}, {"B", {}}};
+  for (int k = 0; k < 4; ++k)
+    for (std::size_t g = 0; g < 2; ++g) {
+      const std::string test = groups[g].name + std::to_string(k);
+      groups[g].tests.push_back({test, 0.1 * (1 << k)});
+      const double good = 3 * std::sqrt(k) + double(g);
+      rows.push_back(row("s", test, 2 * k));
+      rows.back().values.insert(rows.back().values.end(), {good, -good});
+    }
+  auto comparisons = bdRows(summariseTests(rows, both, groups), both, groups);
+  const BdDelta good = comparisons[comparisons.size() - 2].delta, bad = comparisons.back().delta;
+  QVERIFY(good.problem.empty() && good.rate < 0 && good.quality > 0);
+  QVERIFY(near(bad.rate, good.rate) && near(bad.quality, -good.quality));
+  QVERIFY(near(bad.from, -good.to) && near(bad.to, -good.from));
+  rows.back().values.back() = 5;
+  comparisons = bdRows(summariseTests(rows, both, groups), both, groups);
+  QVERIFY(!comparisons.back().delta.problem.empty());
+}
+
 void TestSummaries::bdProblems() {
-  const BdRow none{"A", "B", metrics.means()[meanPsnr], bdDelta({}, {})};
-  QCOMPARE(bdText({none}),
-           std::string("B against A, mean_psnr: no BD-rate: the anchor has 0 points, "
+  const BdRow none{"A", "B", metrics.means()[meanPsnrSeen], bdDelta({}, {})};
+  QCOMPARE(bdText({none}, metrics),
+           std::string("B against A, mean_psnr_seen: no BD-rate: the anchor has 0 points, "
                        "but four are needed\n"));
   QVERIFY(bdCsv({none}).ends_with(
-      "A,B,mean_psnr,nan,nan,nan,nan,\"the anchor has 0 points, but four are needed\",frame,dB,nan,"
-      "nan,nan\n"));
+      "A,B,mean_psnr_seen,nan,nan,nan,nan,\"the anchor has 0 points, but four are needed\",seen,dB,"
+      "nan,nan,nan,plain,nan,nan,nan,nan\n"));
 }
 
 void TestSummaries::page() {
-  const std::string plain = summaryTables(summariesOf({row("<s>", "<t>", 1)}), metrics);
+  const std::string plain = meansTable(summariesOf({row("<s>", "<t>", 1)}), metrics);
   QVERIFY(plain.find("<td>&lt;t&gt;</td>") != std::string::npos);
   QVERIFY(plain.find("<td>&lt;s&gt;</td>") != std::string::npos);
   QVERIFY(plain.find("weighted") == std::string::npos);
   QVERIFY(plain.find("Bjøntegaard") == std::string::npos);
   const std::string weighted =
-      summaryTables(summariesOf({row("a", "t", 0, 3), row("b", "t", 10)}), metrics);
+      meansTable(summariesOf({row("a", "t", 0, 3), row("b", "t", 10)}), metrics);
   QVERIFY(weighted.find("<td>t, weighted</td><td class=\"n\">22.50 <small>(") != std::string::npos);
 }
 
 /// A name of LaTeX's own characters; columns of numbers are to the right.
 void TestSummaries::latex() {
   QCOMPARE(
-      QString::fromStdString(latexTable({"test", "a_b", "note"},
-                                        {{"x\\y{z}&%$#^~.png", "-1.5", "–"}, {"<q>", "–", "w"}})),
+      QString::fromStdString(latexPart(latexTable(
+          {"test", "a_b", "note"}, {{"x\\y{z}&%$#^~.png", "-1.5", "–"}, {"<q>", "–", "w"}}))),
       QString("<details><summary>As LaTeX</summary><pre>\\begin{tabular}{lrl}\n\\hline\n"
               "test &amp; a\\_b &amp; note \\\\\n\\hline\n"
               "x\\textbackslash{}y\\{z\\}\\&amp;\\%\\$\\#\\textasciicircum{}\\textasciitilde{}.png"

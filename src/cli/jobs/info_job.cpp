@@ -30,11 +30,6 @@ std::string typeName(StoredType type, int bits) {
   return type == StoredType::real ? "floating point" : std::to_string(bits) + " bit";
 }
 
-LightFieldSize sizeOf(const Session& session) {
-  return session.lightField.isLive() ? Display(displayOf(session)).size()
-                                     : openLightField(session.lightField, session.display)->size();
-}
-
 void printSize(std::ostream& out, const Session& session) {
   const LightFieldSize size = sizeOf(session);
   out << "hogels      " << size.nx << "×" << size.ny << "\n"
@@ -45,11 +40,6 @@ void printSize(std::ostream& out, const Session& session) {
 std::string sizeText(const DisplayParams& display) {
   return numberText(display.size[0]) + "×" + numberText(display.size[1]) + " m, fov " +
          numberText(display.fov[0]) + "×" + numberText(display.fov[1]) + "°";
-}
-
-/// Whether the size of an image of hogels is known.
-bool isWhole(const Session& session) {
-  return session.lightField.layout != Layout::hogels || session.display.hogels[0] > 0;
 }
 
 void printImage(std::ostream& out, const Session& around) {
@@ -217,23 +207,6 @@ OrderedSession subjectOf(const CommandLine& line) {
   return subject;
 }
 
-AssumedOrder assumedOf(const Session& session, const LightFieldOrder& order) {
-  AssumedOrder assumed;
-  if (!isWhole(session)) {
-    assumed.used = session.lightField;
-    assumed.warnings = {
-        "display.hogels and display.directions are not given, and the file does not say them"};
-    return assumed;
-  }
-  assumed = assumedOrder(session.lightField, sizeOf(session), order);
-  if (session.lightField.layout != Layout::lenslets) return assumed;
-  assumed.lenslets = lensletsOf(session.lightField, session.display);
-  if (const std::string warning = warningOf(session.lightField, *assumed.lenslets);
-      !warning.empty())
-    assumed.warnings.push_back(warning);
-  return assumed;
-}
-
 void printLenslets(std::ostream& out, const FoundLenslets& lenslets) {
   const LensletLattice& lattice = lenslets.lattice;
   out << "lenslets    pitch " << rounded(lattice.pitch(), 4) << " px, rotation "
@@ -305,7 +278,7 @@ int runInfo(const CommandLine& line) {
   std::ostringstream out;
   try {
     const OrderedSession subject = subjectOf(line);
-    const AssumedOrder assumed = assumedOf(subject.session, subject.order);
+    const AssumedOrder assumed = orderOf(subject);
     if (line.has("json"))
       out << orderDocument(assumed);
     else

@@ -19,6 +19,7 @@
 #include "io/documents/session_file.h"
 #include "io/plugins/metric_plugins.h"
 #include "report/page/report_tables.h"
+#include "report/report_facts.h"
 #include "report/report_run.h"
 
 namespace hogelscope {
@@ -197,6 +198,8 @@ int runReport(const CommandLine& line) {
   if (!request.shard) warnOfCuts(*request.file, request.session, line);
   if (!request.shard)
     warnOfPupils(resolved(displayOf(session), request.file->size()), session, line);
+  if (!request.shard && !isQuiet)
+    for (const std::string& warning : warningsOf(request)) printNote(warning);
   announceStreaming(*request.file, request.memory / 2, isQuiet);
   for (const ReportTest& test : request.tests) {
     warnOf(*test.file, test.name, line);
@@ -217,8 +220,10 @@ int runReport(const CommandLine& line) {
                 ": was of another report that did not finish; begun anew");
     if (report.taken > 0)
       printNote("went on after " + std::to_string(report.taken) + " views of an earlier run");
-    std::cout << summaryText(report.summaries.back().summary, report.rows)
-              << bdText(report.comparisons) << timesText(report) << "report in "
+    std::cout << (request.tests.size() == 1
+                      ? summaryText(report.summaries.front().summary, report.rows)
+                      : testsText(report.summaries))
+              << bdText(report.comparisons, request.metrics) << timesText(report) << "report in "
               << printable((folder / "report.html").string()) << " and "
               << printable((folder / "report.csv").string()) << "\n";
   }

@@ -68,6 +68,10 @@ std::string formLabel(std::string_view name) {
   return label;
 }
 
+std::string numberCell(double value) {
+  return std::isnan(value) ? std::string() : numberText(value);
+}
+
 std::string csvCell(const std::string& text) {
   std::string harmless = isFormula(text) ? "'" + text : text;
   if (harmless.find_first_of(",\"\r\n") == std::string::npos) return harmless;

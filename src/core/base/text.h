@@ -35,6 +35,8 @@ std::string formLabel(std::string_view name);
 /// Returns a text as a CSV cell (RFC 4180). A text that a spreadsheet would read as a formula gets
 /// a leading apostrophe (OWASP, CSV injection).
 std::string csvCell(const std::string& text);
+/// Returns a number as a CSV cell; an empty one for NaN.
+std::string numberCell(double value);
 
 /// Returns the cells of every line of a table of CSV cells.
 std::vector<std::vector<std::string>> csvRows(std::string_view text);

@@ -63,6 +63,10 @@ Curve columns(const std::vector<RatePoint>& points, bool isOverQuality) {
   return curve;
 }
 
+void sortByRate(std::vector<RatePoint>& points) {
+  std::ranges::sort(points, {}, &RatePoint::rate);
+}
+
 /// Sorts by rate. Returns the problem of a curve, or "".
 std::string problemOf(std::vector<RatePoint>& points, const std::string& name) {
   if (points.size() < 4)
@@ -73,8 +77,7 @@ std::string problemOf(std::vector<RatePoint>& points, const std::string& name) {
     if (!std::isfinite(point.quality))
       return name + " has no finite quality at a rate of " + numberText(point.rate);
   }
-  std::sort(points.begin(), points.end(),
-            [](const RatePoint& a, const RatePoint& b) { return a.rate < b.rate; });
+  sortByRate(points);
   for (std::size_t k = 1; k < points.size(); ++k)
     if (points[k].rate == points[k - 1].rate || !(points[k].quality > points[k - 1].quality))
       return name + "'s quality does not rise from a rate of " + numberText(points[k - 1].rate) +
@@ -103,6 +106,13 @@ double pchipIntegral(const std::vector<double>& x, const std::vector<double>& y,
     sum += until(b - x[k]) - until(a - x[k]);
   }
   return sum;
+}
+
+bool doesFall(std::vector<RatePoint> curve) {
+  sortByRate(curve);
+  for (std::size_t k = 1; k < curve.size(); ++k)
+    if (!(curve[k].quality < curve[k - 1].quality)) return false;
+  return curve.size() > 1;
 }
 
 BdDelta bdDelta(std::vector<RatePoint> anchor, std::vector<RatePoint> test) {

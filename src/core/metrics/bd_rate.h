@@ -28,6 +28,10 @@ struct BdDelta {
 /// than four of them. Each curve needs at least four points whose quality rises with the rate.
 BdDelta bdDelta(std::vector<RatePoint> anchor, std::vector<RatePoint> test);
 
+/// Whether the quality falls with each higher rate, as that of an error does. False for fewer than
+/// two points.
+bool doesFall(std::vector<RatePoint> curve);
+
 /// Returns the integral over [from, to] ⊆ [x.front(), x.back()] of the monotone piecewise cubic
 /// through the points. x rises strictly and has at least two points.
 double pchipIntegral(const std::vector<double>& x, const std::vector<double>& y, double from,

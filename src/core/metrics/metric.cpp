@@ -104,6 +104,13 @@ MetricSet::MetricSet(std::vector<Metric> others)
   }
 }
 
+bool MetricSet::isHeadline(std::size_t mean) const {
+  if (m_means[mean].isSeen) return true;
+  const bool isStandard = mean <= meanPsnrYuvSeen;
+  return !isStandard && std::ranges::find(m_means, m_means[mean].name + "_seen",
+                                          &MetricMean::name) == m_means.end();
+}
+
 bool MetricSet::readUnrounded() const {
   return std::ranges::any_of(m_metrics, &Metric::readsUnrounded);
 }

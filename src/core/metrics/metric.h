@@ -40,7 +40,8 @@ struct MetricMean {
   double (*ofMean)(double mean) = nullptr;  ///< conversion of the mean; null: the mean itself
   bool isQuality = false;                   ///< whether BD-rates use it
   std::string unit{};                       ///< such as "dB"
-  bool isSeen = false;  ///< over the pixels seen in both images, not the whole frame
+  bool isSeen = false;   ///< over the pixels seen in both images, not the whole frame
+  bool mayFall = false;  ///< whether it may be an error: BD-rates take one that falls with the rate
 };
 
 /// Returns the value of each column for images of one size.
@@ -107,6 +108,10 @@ class MetricSet {
   [[nodiscard]] const std::vector<MetricColumn>& columns() const { return m_columns; }
   /// Returns the means; their `column` is an index of columns().
   [[nodiscard]] const std::vector<MetricMean>& means() const { return m_means; }
+
+  /// Whether a mean is among the headlines: over the seen pixels, unless it is of a metric that has
+  /// the whole frame alone.
+  [[nodiscard]] bool isHeadline(std::size_t mean) const;
 
   /// Whether any of the metrics reads unrounded values.
   [[nodiscard]] bool readUnrounded() const;

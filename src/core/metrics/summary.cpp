@@ -112,11 +112,101 @@ std::string block(const TestSummary& summary, const MetricSet& metrics) {
   return text;
 }
 
-double qualityOf(const std::vector<TestSummary>& summaries, const std::string& test,
-                 std::size_t mean) {
-  for (const TestSummary& summary : summaries)
-    if (summary.test == test) return summary.summary.means[mean];
-  return unknownFigure;
+/// A comparison of two groups by one mean: the indices of their tests in the summaries.
+struct BdPair {
+  std::size_t anchor = 0;  ///< of the groups
+  std::size_t group = 0;
+  std::size_t mean = 0;  ///< of the means, or, above their number, of the weighted ones
+};
+
+/// The curves of the groups, from the means of all tests.
+class RateCurves {
+ public:
+  RateCurves(const std::vector<TestSummary>& summaries, const MetricSet& metrics,
+             const std::vector<RateGroup>& groups)
+      : m_metrics(metrics), m_groups(groups) {
+    for (const RateGroup& group : groups)
+      for (const TestRate& rate : group.tests) {
+        const auto found = std::ranges::find(summaries, rate.test, &TestSummary::test);
+        if (found == summaries.end()) continue;
+        m_tests.push_back(&*found);
+        m_names.push_back(rate.test);
+      }
+  }
+
+  [[nodiscard]] bool haveWeights() const {
+    return std::ranges::any_of(
+        m_tests, [](const TestSummary* test) { return hogelscope::haveWeights(test->rows); });
+  }
+  /// Returns the sums of each state, those of all tests side by side. None if a test has not all
+  /// states.
+  [[nodiscard]] std::vector<std::vector<double>> units() const {
+    std::vector<std::vector<double>> units;
+    for (std::size_t state = 0; !m_tests.empty() && state < m_tests[0]->rows.size(); ++state) {
+      std::vector<double> unit;
+      for (const TestSummary* test : m_tests) {
+        if (test->rows.size() != m_tests[0]->rows.size()) return {};
+        std::ranges::copy(sumsOf(test->rows[state], m_metrics), std::back_inserter(unit));
+      }
+      units.push_back(std::move(unit));
+    }
+    return units;
+  }
+  /// Returns the means of all tests, plain ones and weighted ones.
+  [[nodiscard]] std::vector<double> means() const {
+    std::vector<double> all;
+    for (const TestSummary* test : m_tests) {
+      std::ranges::copy(test->summary.means, std::back_inserter(all));
+      std::ranges::copy(test->summary.weighted, std::back_inserter(all));
+    }
+    return all;
+  }
+  /// Compares by the means of all tests.
+  [[nodiscard]] BdDelta deltaOf(const BdPair& pair, const std::vector<double>& means) const {
+    std::vector<RatePoint> anchor = curveOf(m_groups[pair.anchor], pair.mean, means);
+    std::vector<RatePoint> test = curveOf(m_groups[pair.group], pair.mean, means);
+    const bool isError = m_metrics.means()[pair.mean % m_metrics.means().size()].mayFall &&
+                         doesFall(anchor) && doesFall(test);
+    if (!isError) return bdDelta(std::move(anchor), std::move(test));
+    for (RatePoint& point : anchor) point.quality = -point.quality;
+    for (RatePoint& point : test) point.quality = -point.quality;
+    BdDelta delta = bdDelta(std::move(anchor), std::move(test));
+    delta.quality = -delta.quality;
+    delta.from = -std::exchange(delta.to, -delta.from);
+    return delta;
+  }
+
+ private:
+  [[nodiscard]] std::vector<RatePoint> curveOf(const RateGroup& group, std::size_t mean,
+                                               const std::vector<double>& means) const {
+    const std::size_t count = 2 * m_metrics.means().size();
+    std::vector<RatePoint> points;
+    for (const TestRate& rate : group.tests) {
+      const auto at = std::size_t(std::ranges::find(m_names, rate.test) - m_names.begin());
+      points.push_back({rate.rate, at < m_names.size() ? means[at * count + mean] : unknownFigure});
+    }
+    return points;
+  }
+
+  const MetricSet& m_metrics;
+  const std::vector<RateGroup>& m_groups;
+  std::vector<const TestSummary*> m_tests;
+  std::vector<std::string> m_names;
+};
+
+/// Returns the comparisons in the order of bdRows().
+std::vector<BdPair> bdPairs(const MetricSet& metrics, std::size_t groups, bool haveWeights) {
+  const std::vector<MetricMean>& means = metrics.means();
+  std::vector<BdPair> pairs;
+  for (std::size_t anchor = 0; anchor < groups; ++anchor)
+    for (std::size_t group = anchor + 1; group < groups; ++group)
+      for (const bool isWeighted : {true, false})
+        for (const bool isSeen : {true, false})
+          for (std::size_t mean = 0; mean < means.size(); ++mean)
+            if (means[mean].isQuality && means[mean].isSeen == isSeen &&
+                (haveWeights || !isWeighted))
+              pairs.push_back({anchor, group, mean + (isWeighted ? means.size() : 0)});
+  return pairs;
 }
 
 }  // namespace
@@ -169,21 +259,41 @@ std::vector<TestSummary> summariseTests(const std::vector<ReportRow>& rows,
   return summaries;
 }
 
+bool haveWeights(const std::vector<ReportRow>& rows) {
+  return std::ranges::any_of(
+      rows, [&](const ReportRow& row) { return row.weight != rows.front().weight; });
+}
+
 std::vector<BdRow> bdRows(const std::vector<TestSummary>& summaries, const MetricSet& metrics,
                           const std::vector<RateGroup>& groups) {
-  const auto curve = [&](const RateGroup& group, std::size_t mean) {
-    std::vector<RatePoint> points;
-    for (const TestRate& test : group.tests)
-      points.push_back({test.rate, qualityOf(summaries, test.test, mean)});
-    return points;
-  };
+  const RateCurves curves(summaries, metrics, groups);
+  const std::vector<double> means = curves.means();
+  const std::size_t count = metrics.means().size();
   std::vector<BdRow> rows;
-  for (std::size_t k = 1; k < groups.size(); ++k)
-    for (const bool isSeen : {true, false})
-      for (std::size_t mean = 0; mean < metrics.means().size(); ++mean)
-        if (metrics.means()[mean].isQuality && metrics.means()[mean].isSeen == isSeen)
-          rows.push_back({groups[0].name, groups[k].name, metrics.means()[mean],
-                          bdDelta(curve(groups[0], mean), curve(groups[k], mean))});
+  std::vector<std::pair<BdPair, std::size_t>> known;  // with their row
+  for (const BdPair& pair : bdPairs(metrics, groups.size(), curves.haveWeights())) {
+    rows.push_back({groups[pair.anchor].name, groups[pair.group].name,
+                    metrics.means()[pair.mean % count], curves.deltaOf(pair, means),
+                    pair.mean >= count});
+    if (rows.back().delta.problem.empty()) known.emplace_back(pair, rows.size() - 1);
+  }
+  const std::vector<std::vector<double>> units = curves.units();
+  if (known.empty() || units.empty()) return rows;
+  const auto deltas = [&](const std::vector<double>& sums) {
+    const std::vector<double> drawn = meansOfSums(sums, metrics);
+    std::vector<double> values;
+    for (const auto& [pair, row] : known) {
+      const BdDelta delta = curves.deltaOf(pair, drawn);
+      values.insert(values.end(), {delta.rate, delta.quality});
+    }
+    return values;
+  };
+  const std::vector<Interval> intervals =
+      bootstrap(units, deltas, {.resamples = resamplesFor(units.size())});
+  for (std::size_t k = 0; k < known.size(); ++k) {
+    rows[known[k].second].rate = intervals[2 * k];
+    rows[known[k].second].gain = intervals[2 * k + 1];
+  }
   return rows;
 }
 
@@ -196,14 +306,16 @@ std::string summaryCsv(const std::vector<TestSummary>& summaries, const MetricSe
 std::string bdCsv(const std::vector<BdRow>& rows) {
   std::string text =
       "anchor,group,quality,bd_rate_percent,bd_psnr_db,psnr_from,psnr_to,problem,over,unit,"
-      "bd_quality,quality_from,quality_to\n";
-  for (const auto& [anchor, group, quality, delta] : rows) {
+      "bd_quality,quality_from,quality_to,means,bd_rate_low,bd_rate_high,bd_quality_low,"
+      "bd_quality_high\n";
+  for (const auto& [anchor, group, quality, delta, isWeighted, rate, gain] : rows) {
     const std::string values =
         numberText(delta.quality) + "," + numberText(delta.from) + "," + numberText(delta.to);
     text += csvCell(anchor) + "," + csvCell(group) + "," + csvCell(quality.name) + "," +
             numberText(delta.rate) + "," + (quality.unit == "dB" ? values : ",,") + "," +
             csvCell(delta.problem) + "," + regionOf(quality.isSeen) + "," + csvCell(quality.unit) +
-            "," + values + "\n";
+            "," + values + (isWeighted ? ",weighted," : ",plain,") + numberText(rate.low) + "," +
+            numberText(rate.high) + "," + numberText(gain.low) + "," + numberText(gain.high) + "\n";
   }
   return text;
 }

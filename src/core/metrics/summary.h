@@ -48,12 +48,17 @@ struct RateGroup {
   std::vector<TestRate> tests;
 };
 
-/// A group compared with the first one, by one of the means that are qualities.
+/// A group compared with an earlier one, by one of the means that are qualities.
 struct BdRow {
   std::string anchor;
   std::string group;
   MetricMean quality;
   BdDelta delta;
+  bool isWeighted = false;  ///< of the means weighted by the states' weights
+  /// 95 % intervals of both deltas, over the same draws of states for all tests. Draws without a
+  /// delta are left out.
+  Interval rate{unknownFigure, unknownFigure};
+  Interval gain{unknownFigure, unknownFigure};
 };
 
 /// Returns the tests of a report's rows, in their order.
@@ -65,8 +70,13 @@ std::vector<TestSummary> summariseTests(const std::vector<ReportRow>& rows,
                                         const MetricSet& metrics,
                                         const std::vector<RateGroup>& groups = {});
 
-/// Compares every later group with the first by each mean that is a quality, those over seen pixels
-/// first.
+/// Whether the rows' weights differ, so that weighted means are others than plain ones.
+bool haveWeights(const std::vector<ReportRow>& rows);
+
+/// Compares every group with each earlier one by each mean that is a quality, those over seen
+/// pixels first; with weights, by the weighted means first, then by the plain ones. An error that
+/// falls with the rate (MetricMean::mayFall) is compared as a quality: a gain below 0 is a better
+/// one.
 std::vector<BdRow> bdRows(const std::vector<TestSummary>& summaries, const MetricSet& metrics,
                           const std::vector<RateGroup>& groups);
 

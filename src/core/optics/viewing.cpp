@@ -34,7 +34,8 @@ double pixelsPerDegree(const CameraState& state, LensMapping mapping) {
 }  // namespace
 
 Viewing viewingOf(const CameraState& state, const DisplayParams& display, LensMapping mapping) {
-  return {pixelsPerDegree(state, mapping), length(state.camera.eye - display.position)};
+  return {pixelsPerDegree(state, mapping), length(state.camera.eye - display.position),
+          state.camera.name};
 }
 
 }  // namespace hogelscope

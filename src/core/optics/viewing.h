@@ -3,6 +3,7 @@
 #pragma once
 
 #include <limits>
+#include <string>
 
 #include "core/optics/sampling.h"
 #include "core/optics/session.h"
@@ -15,6 +16,7 @@ struct Viewing {
   /// axes. NaN if the lens sends no light there.
   double pixelsPerDegree = std::numeric_limits<double>::quiet_NaN();
   double distance = std::numeric_limits<double>::quiet_NaN();  ///< eye to panel's centre, metres
+  std::string state{};                                         ///< its name
 };
 
 /// Returns the viewing conditions of one state (docs/formulas.md, Metrics). Throws InputError if

@@ -51,6 +51,10 @@ class ImageFile {
   std::size_t m_frame = 0;
 };
 
+/// Returns "JPEG", "HEIF" or "video" for a file whose pictures have lost something when they were
+/// encoded; "" for others, and for files that cannot be read.
+std::string lossyFormatOf(const std::filesystem::path& file);
+
 /// Returns the version of the loaded library, not of its headers, such as "4.6.0".
 std::string openCvVersion();
 /// Returns the version of the headers, because querying the library would load it. The first two

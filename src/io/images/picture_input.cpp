@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Reads images and videos through codecs(), in this process or in a copy of it.
+#include "io/images/image_file.h"
 #include "io/images/image_inputs.h"
 
 #include <algorithm>
@@ -146,6 +147,24 @@ std::unique_ptr<ImageInput> openPicture(const fs::path& file) {
 std::unique_ptr<ImageInput> isolatedInput(const fs::path& file,
                                           std::function<std::unique_ptr<ImageInput>()> open) {
   return std::make_unique<IsolatedInput>(file, std::move(open));
+}
+
+std::string lossyFormatOf(const fs::path& file) {
+  std::string begin;
+  try {
+    begin = beginOf(file);
+  } catch (const InputError&) {
+    return {};
+  }
+  const auto has = [&begin](std::size_t at, std::string_view text) {
+    return begin.size() >= at && std::string_view(begin).substr(at).starts_with(text);
+  };
+  if (has(0, "\xff\xd8\xff")) return "JPEG";
+  if (has(0, "RIFF") && has(8, "AVI ")) return "video";
+  if (!has(4, "ftyp")) return {};
+  for (const char* brand : {"hei", "hev", "avif", "mif1", "msf1"})
+    if (has(8, brand)) return "HEIF";
+  return "video";
 }
 
 }  // namespace hogelscope

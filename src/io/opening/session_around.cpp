@@ -214,6 +214,33 @@ OrderedSession orderedSessionAround(const std::string& file,
   return result;
 }
 
+bool isWhole(const Session& session) {
+  return session.lightField.layout != Layout::hogels || session.display.hogels[0] > 0;
+}
+
+LightFieldSize sizeOf(const Session& session) {
+  return session.lightField.isLive() ? Display(displayOf(session)).size()
+                                     : openLightField(session.lightField, session.display)->size();
+}
+
+AssumedOrder orderOf(const OrderedSession& subject) {
+  const Session& session = subject.session;
+  AssumedOrder assumed;
+  if (!isWhole(session)) {
+    assumed.used = session.lightField;
+    assumed.warnings = {
+        "display.hogels and display.directions are not given, and the file does not say them"};
+    return assumed;
+  }
+  assumed = assumedOrder(session.lightField, sizeOf(session), subject.order);
+  if (session.lightField.layout != Layout::lenslets) return assumed;
+  assumed.lenslets = lensletsOf(session.lightField, session.display);
+  if (const std::string warning = warningOf(session.lightField, *assumed.lenslets);
+      !warning.empty())
+    assumed.warnings.push_back(warning);
+  return assumed;
+}
+
 Session sessionAround(const std::string& file, const std::vector<std::string>& overrides,
                       const Progress& progress) {
   return orderedSessionAround(file, overrides, progress).session;

@@ -31,6 +31,14 @@ OrderedSession orderedSessionAround(const std::string& file,
                                     const std::vector<std::string>& overrides = {},
                                     const Progress& progress = {});
 
+/// Whether the hogels of a session's light field are known; an image of hogels may not say them.
+bool isWhole(const Session& session);
+/// Returns hogels and directions of the session's light field, which it opens. Throws InputError.
+LightFieldSize sizeOf(const Session& session);
+/// Returns what is assumed of a session's light field, with the lenslets of that layout. Throws
+/// InputError.
+AssumedOrder orderOf(const OrderedSession& subject);
+
 /// Returns only the session.
 Session sessionAround(const std::string& file, const std::vector<std::string>& overrides = {},
                       const Progress& progress = {});

@@ -148,6 +148,13 @@ class GuardedMetric final : public plugin::Metric {
                                const plugin::Viewing& viewing) const override {
     return guarded(m_name, [&] { return m_metric->compare(reference, test, viewing); });
   }
+  [[nodiscard]] bool hasSeen() const override {
+    return guarded(m_name, [&] { return m_metric->hasSeen(); });
+  }
+  [[nodiscard]] plugin::Figures compareBoth(const plugin::View& reference, const plugin::View& test,
+                                            const plugin::Viewing& viewing) const override {
+    return guarded(m_name, [&] { return m_metric->compareBoth(reference, test, viewing); });
+  }
 
  private:
   /// Checks a text that tables show.

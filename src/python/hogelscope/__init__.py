@@ -29,17 +29,18 @@ import glob as _glob
 import os as _os
 
 from . import _hogelscope
-from ._content import open
+from ._content import info, open
 from ._figures import bd_rate, compare
 from ._hogelscope import InputError, LightField, add_plugin_folder, allow_memory
 from ._measure import depth, measure, sweep
-from ._session import Session, cameras, report
+from ._session import Report, Session, cameras, report
 from ._view import View
 
 __version__: str = _hogelscope.version
 __all__ = [
     "InputError",
     "LightField",
+    "Report",
     "Session",
     "View",
     "add_plugin_folder",
@@ -48,6 +49,7 @@ __all__ = [
     "cameras",
     "compare",
     "depth",
+    "info",
     "measure",
     "open",
     "report",

@@ -6,7 +6,7 @@ from __future__ import annotations
 import json
 import os
 import warnings
-from typing import Any, Callable, List, Mapping, Optional, Tuple, Union
+from typing import Any, Callable, Dict, List, Mapping, Optional, Sequence, Set, Tuple, Union
 
 import numpy as np
 
@@ -48,9 +48,24 @@ def overrides_of(section: str, values: Mapping[str, Any]) -> List[str]:
     return [f"{section}.{name}={json_text(value)}" for name, value in values.items()]
 
 
+_warned: Set[str] = set()
+
+
 def warn(lines: List[str]) -> None:
+    """Each line once in a process: the same light field may be opened many times."""
     for line in lines:
-        warnings.warn(line, UserWarning, stacklevel=3)
+        if line not in _warned:
+            _warned.add(line)
+            warnings.warn(line, UserWarning, stacklevel=3)
+
+
+def array_of(value: Any) -> np.ndarray:
+    """What numpy makes of xarray's arrays, lists and the like."""
+    if isinstance(value, np.ndarray):
+        return value
+    if isinstance(value, (list, tuple)) or hasattr(value, "__array__"):
+        return np.asarray(value)
+    raise TypeError(f"{type(value).__name__} is no array")
 
 
 def around(
@@ -108,10 +123,26 @@ def light_choice(light: Any) -> Any:
     """What stands for a light field: None, a LightField, an array, or a file as --test takes it."""
     if light is None or isinstance(light, LightField):
         return light
-    if isinstance(light, np.ndarray):
-        return LightField(light)
     if isinstance(light, (str, os.PathLike)):
         return path_text(light)
+    if isinstance(light, (list, tuple)) or hasattr(light, "__array__"):
+        return LightField(array_of(light))
     raise TypeError(
         f"a light field is a LightField, a numpy array or a file's name, not {type(light).__name__}"
     )
+
+
+def info(
+    file: Path, *, overrides: Sequence[str] = (), progress: Optional[Progress] = None
+) -> Dict[str, Any]:
+    """Return what ``--info --json`` says of a light field or of a session's file.
+
+    Returns:
+        {"layout", "hogels": [nx, ny], "directions": [du, dv], "rows", "columns": the order of
+        views, "shear": pixels for each view, "confidence": "sure", "likely" or "unknown",
+        "warnings": sentences, and "lenslets" of that layout}. Nothing is assumed silently: look at
+        the confidence before the light field is used. ``overrides`` are those of ``--set``.
+        Raises InputError.
+    """
+    found: Dict[str, Any] = json.loads(_hogelscope.info(path_text(file), list(overrides), progress))
+    return found

@@ -8,9 +8,10 @@ from typing import Any, Dict, Iterable, Optional, Sequence, Tuple, Union
 import numpy as np
 
 from . import _hogelscope
+from ._content import array_of
 from ._view import View
 
-Picture = Union[View, np.ndarray]
+Picture = Union[View, np.ndarray, Any]
 
 
 _Parts = Tuple[np.ndarray, np.ndarray, Optional[np.ndarray]]
@@ -20,9 +21,11 @@ def _parts(picture: Picture) -> _Parts:
     if isinstance(picture, View):
         image, seen = np.ascontiguousarray(picture.image), np.ascontiguousarray(picture.seen)
         return image, seen, picture.values
-    if not isinstance(picture, np.ndarray):
-        raise TypeError(f"a picture is a View or a numpy array, not {type(picture).__name__}")
-    return np.ascontiguousarray(picture), np.ones(picture.shape[:2], np.uint8), None
+    try:
+        array = array_of(picture)
+    except TypeError:
+        raise TypeError(f"a picture is a View or an array, not {type(picture).__name__}") from None
+    return np.ascontiguousarray(array), np.ones(array.shape[:2], np.uint8), None
 
 
 def compare(reference: Picture, test: Picture, *, metrics: Sequence[str] = ()) -> Dict[str, float]:

@@ -61,6 +61,9 @@ def compare(
 def depth(
     document: Document, threads: int, progress: Optional[Callable[[float], object]]
 ) -> Tuple[str, str, str]: ...
+def info(
+    file: str, overrides: Sequence[str], progress: Optional[Callable[[float], object]]
+) -> str: ...
 def load(file: str, overrides: Sequence[str], calibration: str) -> str: ...
 def measure(
     document: Document,
@@ -68,6 +71,7 @@ def measure(
     threads: int,
     progress: Optional[Callable[[float], object]],
 ) -> str: ...
+def png(image: np.ndarray) -> bytes: ...
 def normal(document: Document) -> str: ...
 def open(
     document: Document, warnings: Sequence[str], progress: Optional[Callable[[float], object]]
@@ -77,12 +81,19 @@ def report(
     light_field: Union[None, LightField, str],
     tests: Sequence[Tuple[str, Union[None, LightField, str]]],
     groups: Sequence[Tuple[str, Sequence[Tuple[str, float]]]],
+    metrics: Sequence[Tuple[str, Callable[..., Any]]],
     output: str,
     ideal: bool,
     images: bool,
     threads: int,
     progress: Optional[Callable[[float], object]],
-) -> List[Dict[str, Any]]: ...
+) -> Tuple[
+    List[Dict[str, Any]],
+    Dict[str, Dict[str, float]],
+    Dict[str, Dict[str, Tuple[float, float]]],
+    List[Dict[str, Any]],
+    List[str],
+]: ...
 def save(document: Document, file: str) -> None: ...
 def sweep(
     document: Document,

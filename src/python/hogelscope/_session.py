@@ -7,7 +7,11 @@ import copy
 import json
 import os
 from numbers import Integral
-from typing import Any, Dict, Iterable, List, Mapping, Optional, Sequence, Union, overload
+from typing import (
+    Any, Callable, Dict, Iterable, List, Mapping, Optional, Sequence, Tuple, Union, overload
+)
+
+import numpy as np
 
 from . import _hogelscope
 from ._content import Path, Progress, around, json_text, light_choice, path_text, warn
@@ -15,6 +19,17 @@ from ._hogelscope import InputError, LightField
 from ._view import View
 
 State = Union[str, int, Mapping[str, Any]]
+Metric = Callable[
+    [np.ndarray, np.ndarray, np.ndarray, Dict[str, Any]], Union[float, Mapping[str, float]]
+]
+
+
+def named_states(states: Iterable[Any]) -> List[Any]:
+    """States with a name: "view N" for the N-th that has none, from 1."""
+    return [
+        {"name": f"view {k}", **state} if isinstance(state, Mapping) and "name" not in state else state
+        for k, state in enumerate(states, 1)
+    ]
 
 
 class Session(Dict[str, Any]):
@@ -27,9 +42,10 @@ class Session(Dict[str, Any]):
         overrides: changes as ``--set`` takes them: ["display.fov=[50,50]", "psf.sigma=0"].
         calibration: a calibration's file for every state, as ``--calibration``.
         progress: called with the fraction done while views are looked at.
+        check: whether a mapping is checked now, as files are.
 
-    Lengths are metres, angles degrees; all fields are in the manual's parameters.md. A file is
-    checked when it is read; what is changed afterwards is checked when it is used. Raises
+    Lengths are metres, angles degrees; all fields are in the manual's parameters.md. Camera states
+    without a name get one. What is changed afterwards is checked when it is used. Raises
     InputError.
 
     The light field is read by the first view and kept in memory with the session, until its files
@@ -44,6 +60,7 @@ class Session(Dict[str, Any]):
         overrides: Sequence[str] = (),
         calibration: Optional[Path] = None,
         progress: Optional[Progress] = None,
+        check: bool = True,
     ) -> None:
         self.folder = path_text(folder)
         self.name = ""
@@ -52,11 +69,15 @@ class Session(Dict[str, Any]):
         if isinstance(source, Mapping):
             document = copy.deepcopy(dict(source))
             document.setdefault("hogelscope", 1)
+            if isinstance(document.get("cameras"), (list, tuple)):
+                document["cameras"] = named_states(document["cameras"])
             super().__init__(document)
             if isinstance(source, Session):
                 self.folder, self.name = source.folder, source.name
             if changes or calibration is not None:
                 raise InputError("overrides and calibration are for files; change the mapping")
+            if check:
+                self._check_mapping()
             return
         text = path_text(source)
         if text.lstrip().startswith("{"):
@@ -80,6 +101,12 @@ class Session(Dict[str, Any]):
             with open(text, encoding="utf-8") as file:
                 self._read(file.read())
 
+    def _check_mapping(self) -> None:
+        """A mapping may lack its light field, which calls can give, and its states."""
+        own = self.get("cameras")
+        states = None if own or own is not None and not isinstance(own, list) else [{"name": "any"}]
+        _hogelscope.check(self._document(states, "lightField" in self))
+
     def _read(self, text: str) -> None:
         _hogelscope.check(_hogelscope.Document(text, self.folder, self.name))
         super().__init__(json.loads(text))
@@ -89,7 +116,7 @@ class Session(Dict[str, Any]):
 
     def copy(self) -> "Session":
         """Return a session of its own, whose parts may be changed."""
-        return Session(json.loads(json_text(self)), folder=self.folder)._named(self.name)
+        return Session(json.loads(json_text(self)), folder=self.folder, check=False)._named(self.name)
 
     def _named(self, name: str) -> "Session":
         self.name = name
@@ -102,6 +129,8 @@ class Session(Dict[str, Any]):
         parts: Dict[str, Any] = dict(self)
         if cameras is not None:
             parts["cameras"] = list(cameras)
+        if isinstance(parts.get("cameras"), list):
+            parts["cameras"] = named_states(parts["cameras"])
         if not has_light:
             own = self.get("lightField")
             parts["lightField"] = {"file": "none", "layout": "views"}
@@ -276,35 +305,80 @@ def cameras(
     return states
 
 
+class Report(List[Dict[str, Any]]):
+    """The rows of a report, with what follows from them.
+
+    Attributes:
+        summary: {test: {mean: value}}, the names of summary.csv, such as "mean_psnr_seen"; where
+            states have weights also "weighted_mean_psnr_seen" and others.
+        intervals: {test: {mean: (low, high)}}, 95 % bootstrap intervals over the states.
+        bd: a dict for each comparison of two groups by one mean: "anchor", "group", "quality",
+            "over", "means", "rate" in percent, "rate_interval", "gain", "gain_interval", "from",
+            "to", "problem".
+    """
+
+    def __init__(
+        self,
+        rows: Iterable[Dict[str, Any]],
+        summary: Dict[str, Dict[str, float]],
+        intervals: Dict[str, Dict[str, Tuple[float, float]]],
+        bd: List[Dict[str, Any]],
+    ) -> None:
+        super().__init__(rows)
+        self.summary = summary
+        self.intervals = intervals
+        self.bd = bd
+
+
+def _named_tests(tests: Any) -> List[Tuple[str, Any]]:
+    """Names and light fields: those of a mapping; files by their names; others "test N"."""
+    if isinstance(tests, Mapping):
+        return [(str(name), light) for name, light in tests.items()]
+    is_one = isinstance(tests, (str, os.PathLike, LightField)) or hasattr(tests, "__array__")
+    return [
+        (path_text(one) if isinstance(one, (str, os.PathLike)) else f"test {k}", one)
+        for k, one in enumerate([tests] if is_one else tests, 1)
+    ]
+
+
 def report(
     session: Session,
-    tests: Union[Mapping[str, Any], Iterable[Path]] = (),
+    tests: Union[Mapping[str, Any], Iterable[Any]] = (),
     *,
     output: Path,
     light_field: Any = None,
     cameras: Optional[Sequence[Mapping[str, Any]]] = None,
     groups: Optional[Mapping[str, Mapping[str, float]]] = None,
+    metrics: Optional[Mapping[str, Metric]] = None,
     against: Optional[str] = None,
     images: bool = False,
     threads: int = 0,
     progress: Optional[Progress] = None,
-) -> List[Dict[str, Any]]:
+) -> Report:
     """Compare light fields over camera states, as ``--report`` does, and write its page and tables.
 
     Args:
         session: the reference.
-        tests: {name: light field}, each a LightField, a numpy array or a file; or files' names.
+        tests: {name: light field}, each a LightField, an array or a file; or a list of these.
         light_field: the reference, instead of the session's own, as in Session.render().
         output: the folder of report.html, report.csv, metrics.csv, summary.csv and others.
         cameras: states instead of the session's own.
         groups: {codec: {test: rate}}, rates in bits per directional pixel, four tests or more
-            each: BD-rates of every later codec against the first, in the page and in bd.csv.
+            each: BD-rates of every codec against each earlier one, in the page and in bd.csv.
+        metrics: {name: function}, called as function(reference, test, seen, info) for each state
+            and test, one call at a time: two pictures, (h, w, 3) float32 from 0 to 1 (the values
+            that are compared, over 255), the pixels that both see, (h, w) bool, and {"state",
+            "pixels_per_degree" in the middle of the picture, "distance" in metres from the eye to
+            the panel's centre, "light": "encoded", as sRGB is}. It returns a number, which becomes
+            the column NAME, or a dict of numbers, columns NAME_KEY; NaN where nothing is defined.
+            Columns, means and BD-rates follow as those of plugins do. A report that goes on does
+            not call it again for what is done, so a changed function needs a new name.
         against: "ideal" compares a live scene's display with the scene itself, too.
         images: keep every picture.
         threads, progress: as in Session.render().
 
     Returns:
-        A row for each state and test: "state", "test", the columns of report.csv and metrics.csv
+        A Report, which is a list with a row for each state and test: "state", "test", the columns of report.csv and metrics.csv
         ("mse", "psnr", "psnr_seen", "ssim", …; NaN where there is nothing to compare), "eye_x",
         "eye_y", "eye_z" (m), "weight" and "problem" ("" if there is none).
         pandas.DataFrame(rows) makes a table.
@@ -314,21 +388,23 @@ def report(
     """
     if against not in (None, "ideal"):
         raise InputError(f'against: "{against}" is not "ideal"')
-    if isinstance(tests, (str, os.PathLike)):
-        tests = [tests]
-    named = tests if isinstance(tests, Mapping) else {path_text(one): one for one in tests}
     choices = []
-    for name, light in named.items():
+    for name, light in _named_tests(tests):
         if light is None:
             raise TypeError(f"test {name!r} is None, not a light field")
-        choices.append((str(name), light_choice(light)))
+        choices.append((name, light_choice(light)))
     rates = [(str(name), [(str(test), float(rate)) for test, rate in group.items()])
              for name, group in (groups or {}).items()]
     states = None if cameras is None else [dict(state) for state in cameras]
     light = light_choice(light_field)
     document = session._document(states, not isinstance(light, LightField))
-    rows: List[Dict[str, Any]] = _hogelscope.report(
-        document, light, choices, rates, path_text(output), against is not None, images,
+    functions = list((metrics or {}).items())
+    for name, function in functions:
+        if not callable(function):
+            raise TypeError(f"metric {name!r} is no function: {type(function).__name__}")
+    *made, lines = _hogelscope.report(
+        document, light, choices, rates, functions, path_text(output), against is not None, images,
         threads, progress,
     )
-    return rows
+    warn(lines)
+    return Report(*made)

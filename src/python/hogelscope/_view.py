@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import os
+import sys
 from typing import Any, List, Optional, Union
 
 import numpy as np
@@ -46,6 +47,33 @@ class View:
     def __repr__(self) -> str:
         height, width = self.seen.shape
         return f"<View {self.state!r}: {width}×{height} px, {self.seen.mean():.0%} see the display>"
+
+    def __array__(self, dtype: Any = None, copy: Optional[bool] = None) -> np.ndarray:
+        """The image, for np.asarray(view); a copy only where one is asked for or needed."""
+        image = self.image if dtype is None else self.image.astype(dtype, copy=False)
+        return image.copy() if copy else image
+
+    def _repr_png_(self) -> bytes:
+        """The picture, for notebooks."""
+        return _hogelscope.png(np.ascontiguousarray(self.image))
+
+    def show(self) -> None:
+        """Show the picture: in a notebook below the cell, otherwise in matplotlib's window. Needs
+        IPython or matplotlib (Debian: python3-matplotlib). Raises ImportError."""
+        if "IPython" in sys.modules:
+            from IPython import get_ipython
+            from IPython.display import display
+
+            if get_ipython() is not None:
+                display(self)
+                return
+        from matplotlib import pyplot
+
+        figure, axes = pyplot.subplots(num=self.state)
+        axes.imshow(self.image)
+        axes.set_axis_off()
+        figure.tight_layout()
+        figure.show()
 
     def save(self, file: Union[str, "os.PathLike[str]"]) -> None:
         """Write the picture: .png as ``--render`` does, .exr and .tif from ``values``, as its

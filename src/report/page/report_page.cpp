@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "report/page/report_page.h"
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "core/base/text.h"
 #include "core/metrics/statistics.h"
 #include "page/html.h"
 #include "report/page/report_plots.h"
+#include "report/page/test_names.h"
 
 namespace hogelscope {
 
@@ -19,8 +22,8 @@ std::string captioned(const std::string& png, const std::string& caption) {
 
 std::string viewFigure(const ReportView& view, const ReportRow& row) {
   const double db = row.values[psnrSeenColumn];
-  std::string caption = view.which + " view: " + row.state + ", " + row.test + ": PSNR " +
-                        rounded(db, 2) + (db < 1e6 ? " dB" : "") + ", SSIM " +
+  std::string caption = view.which + " view: " + row.state + ": PSNR " + rounded(db, 2) +
+                        (db < 1e6 ? " dB" : "") + ", SSIM " +
                         rounded(row.values[ssimSeenColumn], 4);
   if (caption[0] >= 'a' && caption[0] <= 'z') caption[0] = char(caption[0] - 'a' + 'A');
   if (view.scale > 1)
@@ -33,69 +36,39 @@ std::string viewFigure(const ReportView& view, const ReportRow& row) {
          captioned(view.difference, difference) + "</div></figure>\n";
 }
 
-/// The texts at the ends of an image's sides.
-struct Ends {
-  std::string top;
-  std::string bottom;
-  std::string left;
-  std::string right;
-};
-
-/// The ends of the colour scale and its unit; no scale if both are 0.
-struct Scale {
-  double low = 0;
-  double high = 0;
-  std::string unit = "MSE";
-};
-
-std::string errorFigure(const std::string& png, const std::string& title, const Ends& ends,
-                        const Scale& scale) {
-  std::string text = "<figure><figcaption>" + title + "</figcaption>" +
-                     "<div class=\"row\"><div class=\"cells\"><div class=\"side\"><span>" +
-                     ends.top + "</span><span>" + ends.bottom + "</span></div>" +
-                     imageTag(png, title) + "<div class=\"foot\"><span>" + ends.left +
-                     "</span><span>" + ends.right + "</span></div></div>";
-  if (scale.high > scale.low) text += colourBar(scale.low, scale.high, scale.unit);
-  return text + "</div></figure>\n";
-}
-
-Ends angles(const std::array<double, 2>& fov) {
-  const auto half = [](double whole) { return numberText(std::round(50 * whole) / 100); };
-  const std::string across = half(fov[0]);
-  const std::string up = half(fov[1]);
-  return {up + "° up", up + "° down", across + "° left", across + "° right"};
-}
-
-std::string viewErrorFigures(const ReportPanel& panel, const DisplayParams& display) {
-  return "<p>" + escaped(agreementText(panel.agreement)) + "</p><div class=\"row\">\n" +
-         errorFigure(panel.views, "of the light field's own views, one for each direction",
-                     angles(display.fov), {0, panel.viewScale}) +
-         errorFigure(panel.ranks, "rank of the perceived error less rank of the view's own",
-                     angles(display.fov), {-1, 1, "share of ranks"}) +
-         "</div>\n";
-}
-
-/// Returns the figures of the views. Throws std::out_of_range if a view names no row.
-std::string viewFigures(const std::vector<ReportView>& views, const std::vector<ReportRow>& rows) {
-  std::string text;
-  for (const ReportView& view : views) text += viewFigure(view, rows.at(view.row));
-  return text;
-}
-
-std::string panelFigures(const std::vector<ReportPanel>& panels, const DisplayParams& display) {
-  std::string all;
-  for (const ReportPanel& panel : panels) {
-    all += "<figure><h3>" + escaped(panel.test) + "</h3>\n<p>" +
-           escaped(panelErrorText(panel.figures)) + "</p><div class=\"row\">\n" +
-           errorFigure(panel.hogels, "over the hogels, as the panel faces the viewer",
-                       {"top", "bottom", "left", "right"}, {0, panel.figures.hogelScale}) +
-           errorFigure(panel.directions, "over the directions in which light leaves",
-                       angles(display.fov), {0, panel.figures.directionScale}) +
-           "</div>\n";
-    if (!panel.views.empty()) all += viewErrorFigures(panel, display);
-    all += "</figure>\n";
+/// The tests of a page, of which its script shows one at a time: `ofTest` returns the part of a
+/// test, by its number, or "".
+template <class Part>
+std::string oneAtATime(const ReportPage& page, Part ofTest) {
+  const std::vector<std::string> tests = testsOf(page.rows);
+  const std::vector<std::string> names = figureNames(tests);
+  std::string parts;
+  for (std::size_t test = 0; test < tests.size(); ++test) {
+    const std::string part = ofTest(test);
+    if (!part.empty())
+      parts += "<section data-test=\"" + escaped(names[test]) + "\"><h3>" + escaped(names[test]) +
+               "</h3>\n" + part + "</section>\n";
   }
-  return all;
+  return parts.empty() ? "" : "<div class=\"tests\">" + parts + "</div>\n";
+}
+
+std::string sideBySide(const std::vector<Figure>& figures) {
+  if (figures.empty()) return {};
+  std::string text = "<div class=\"plots\">\n";
+  for (const Figure& figure : figures) text += figureTag(figure);
+  return text + "</div>\n";
+}
+
+/// Returns the pictures of the views. Throws std::out_of_range if a view names no row.
+std::string viewFigures(const ReportPage& page) {
+  for (const ReportView& view : page.views) (void)page.rows.at(view.row);
+  const std::vector<std::string> tests = testsOf(page.rows);
+  return oneAtATime(page, [&](std::size_t test) {
+    std::string text;
+    for (const ReportView& view : page.views)
+      if (page.rows[view.row].test == tests[test]) text += viewFigure(view, page.rows[view.row]);
+    return text;
+  });
 }
 
 std::string fact(const std::string& name, const std::string& value) {
@@ -121,11 +94,15 @@ std::string whatWasTested(const ReportPage& page) {
 }
 
 std::string overPosition(const ReportPage& page) {
+  const std::string figures = oneAtATime(page, [&](std::size_t test) {
+    return sideBySide(cameraFigures(page.rows, test, page.display));
+  });
+  if (figures.empty()) return {};
   return "<h2>PSNR over camera position</h2>\n<p>In the display's frame, in metres: the panel's "
          "middle is at 0. Filled: coloured by PSNR; hollow: identical; cross: nothing to compare; "
          "one scale for all tests; PSNR of the pixels seen. "
          "The pointer over a point shows its name and figures.</p>\n" +
-         cameraMaps(page.rows, page.display) + anglePlot(page.rows, page.display);
+         figures;
 }
 
 /// Returns the rank correlation of the views' own quality and the perceived one over the tests.
@@ -145,17 +122,24 @@ std::string orderOfTests(const ReportPage& page) {
          rounded(rankCorrelation(own, perceived), 2) + ".</p>\n";
 }
 
+std::string panelPart(const ReportPanel& panel, std::size_t test, const PanelParams& display) {
+  std::string text = "<p>" + escaped(panelErrorText(panel.figures)) + "</p>\n";
+  if (!panel.views.empty()) text += "<p>" + escaped(agreementText(panel.agreement)) + "</p>\n";
+  return text + sideBySide(panelFigures(panel, test, display));
+}
+
 std::string errorOnPanel(const ReportPage& page) {
   return "<h2>Where the error comes from</h2>\n<p>Each pixel that both pictures see counts for the "
          "hogel and for the direction that the ray through its centre meets. Colours show the mean "
          "squared error (MSE) of all such pixels of all states, from 0 to the 99th percentile of "
          "the cells; grey: no pixel met it. Costliest is what holds most of the squared error; "
-         "hogel (0, 0) is the top left one. The second row of pictures has the error of the light "
-         "field's own views (sub-aperture images), by which codecs are usually judged; yellow in "
-         "the "
-         "last one: perceived worse than its own error tells. View (0, 0) is the top left "
-         "one.</p>\n" +
-         orderOfTests(page) + panelFigures(page.panels, page.display);
+         "hogel (0, 0) is the top left one. The error of the light field's own views (sub-aperture "
+         "images) is that by which codecs are usually judged; yellow in its ranks: perceived worse "
+         "than its own error tells. View (0, 0) is the top left one.</p>\n" +
+         orderOfTests(page) + oneAtATime(page, [&](std::size_t test) {
+           return test < page.panels.size() ? panelPart(page.panels[test], test, page.display)
+                                            : std::string();
+         });
 }
 
 constexpr const char* definitions =
@@ -183,21 +167,45 @@ states, at least 1000): how a mean would vary with other camera positions of the
 
 }  // namespace
 
+std::vector<Figure> figuresOf(const ReportPage& page) {
+  std::vector<Figure> figures = rateFigures(page.summaries, page.metrics, page.groups);
+  const auto add = [&](std::vector<Figure> more) {
+    std::ranges::move(more, std::back_inserter(figures));
+  };
+  const std::size_t tests = testsOf(page.rows).size();
+  for (std::size_t test = 0; test < tests; ++test)
+    add(cameraFigures(page.rows, test, page.display));
+  for (std::size_t test = 0; test < page.panels.size(); ++test)
+    add(panelFigures(page.panels[test], test, page.display));
+  return figures;
+}
+
 std::string html(const ReportPage& page) {
-  std::string text = "<h1>Perceived views of " + escaped(page.session) + "</h1>\n" +
-                     summaryTables(page.summaries, page.metrics);
-  if (!page.groups.empty())
+  std::vector<Figure> rates = rateFigures(page.summaries, page.metrics, page.groups);
+  const auto main =
+      std::ranges::find(rates, "rate_" + page.metrics.means()[meanPsnrSeen].name, &Figure::name);
+  if (main != rates.end()) std::rotate(rates.begin(), main, main + 1);
+  std::string text = "<h1>Perceived views of " + escaped(page.session) + "</h1>\n";
+  for (const std::string& warning : page.warnings)
+    text += "<p class=\"warning\">" + escaped(warning) + "</p>\n";
+  if (!page.summaries.empty()) {
+    text += "<h2>Results</h2>\n";
+    if (!rates.empty()) text += figureTag(rates.front());
+    text += meansTable(page.summaries, page.metrics);
+  }
+  if (rates.size() > 1)
     text +=
-        "<h2>Quality over rate</h2>\n<p>Means over the states with 95 % bootstrap intervals; over "
-        "the pixels seen, but for metrics of plugins. The pointer over a point shows its "
-        "figures.</p>\n" +
-        ratePlots(page.summaries, page.metrics, page.groups);
+        "<h2>Quality over rate</h2>\n<p>Means over the states with 95 % bootstrap intervals. The "
+        "pointer over a point shows its figures.</p>\n" +
+        sideBySide({rates.begin() + 1, rates.end()});
   if (!page.comparisons.empty())
-    text += "<h2>Bjøntegaard deltas</h2>\n" + bdTable(page.comparisons);
-  if (!page.rows.empty()) text += overPosition(page);
-  if (!page.views.empty())
-    text += "<h2>Worst, median and best views</h2>\n" + viewFigures(page.views, page.rows);
+    text += "<h2>Bjøntegaard deltas</h2>\n" + bdTable(page.comparisons, page.metrics);
+  text += overPosition(page);
+  if (!page.views.empty()) text += "<h2>Worst, median and best views</h2>\n" + viewFigures(page);
   if (!page.panels.empty()) text += errorOnPanel(page);
+  if (!page.summaries.empty())
+    text += "<h2>Means over the whole frame</h2>\n<p>Black surroundings included.</p>\n" +
+            frameTable(page.summaries, page.metrics);
   if (!page.rows.empty()) text += "<h2>All states</h2>\n" + statesTable(page.rows, page.metrics);
   if (!page.lenses.empty())
     text += "<h2>How far the lenses can be trusted</h2>\n" + lensesTable(page.lenses);

@@ -8,9 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "core/metrics/panel_error_figures.h"
 #include "core/metrics/summary.h"
-#include "core/metrics/view_error.h"
+#include "report/page/report_plots.h"
 #include "report/page/report_tables.h"
 
 namespace hogelscope {
@@ -27,20 +26,6 @@ struct ReportView {
   std::string difference;
   int gain = 1;   ///< of the difference image
   int scale = 1;  ///< each pixel is the mean of scale × scale pixels of the files
-};
-
-/// A test's error over the hogels and over the directions, each as a complete PNG file.
-struct ReportPanel {
-  std::string test;
-  std::string hogels;
-  std::string directions;
-  PanelErrorFigures figures;
-  /// The error of the light field's own views, and the difference of its ranks to the perceived
-  /// one; empty unless both light fields are completely in memory.
-  std::string views{};
-  std::string ranks{};
-  double viewScale = 0;  ///< MSE at the end of the colour scale of `views`
-  ViewAgreement agreement{};
 };
 
 /// A line of the section "what was tested".
@@ -61,8 +46,12 @@ struct ReportPage {
   std::vector<RateGroup> groups;
   std::vector<ReportLens> lenses;
   std::vector<ReportView> views;
-  std::vector<ReportPanel> panels;
+  std::vector<ReportPanel> panels;      ///< of each test
+  std::vector<std::string> warnings{};  ///< sentences
 };
+
+/// Returns the figures of the page that are files too, in the page's order.
+std::vector<Figure> figuresOf(const ReportPage& page);
 
 /// Returns `report.html`: HTML that is well-formed XML, with embedded images, style and script.
 /// Throws std::out_of_range if a view names no row.

@@ -1,17 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// PSNR over camera position, from above and from the front; and over the horizontal viewing angle
-// or the states, one series for each test. Quality over bits per directional pixel, a curve for
-// each group of tests.
+// PSNR over camera position, from above and from the front, and over the horizontal viewing angle
+// or the states. Quality over bits per directional pixel, a curve for each group of tests. The
+// error over hogels and directions.
 #include "report/page/report_plots.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 #include <numbers>
 
-#include "core/base/colour_map.h"
 #include "core/base/text.h"
 #include "page/html.h"
 
@@ -74,8 +72,9 @@ double radiusFor(std::size_t points) {
 }
 
 constexpr double mapLeft = 62;
-constexpr double mapWidth = 300;
-constexpr double mapTop = 26;
+constexpr double mapWidth = 228;
+constexpr double mapTop = 40;
+constexpr double scaleGap = 20;  ///< between a map and its scale of colours
 
 struct Span {
   double low = std::numeric_limits<double>::infinity();
@@ -90,13 +89,6 @@ struct Span {
     high += by / 2;
   }
 };
-
-std::string colourOf(double share) {
-  const auto [r, g, b] = falseColour(share);
-  std::array<char, 8> text{};
-  std::snprintf(text.data(), text.size(), "#%02x%02x%02x", unsigned{r}, unsigned{g}, unsigned{b});
-  return text.data();
-}
 
 /// Returns the range of the finite PSNRs of all tests, extended to round numbers; low > high if
 /// there are none.
@@ -122,21 +114,21 @@ std::string mark(const ViewPoint& point, const ReportRow& row, double x, double 
            r + "l" + r2 + " " + r2 + "m-" + r2 + " 0l" + r2 + " -" + r2 + "\">" + title +
            "</path>\n";
   }
-  const std::string fill =
-      point.kind == PlotKind::identical
-          ? std::string("class=\"hollow\"")
-          : "fill=\"" + colourOf((point.psnr - psnrs.low) / psnrs.width()) + "\"";
+  const std::string fill = point.kind == PlotKind::identical
+                               ? std::string("class=\"hollow\"")
+                               : svgFill((point.psnr - psnrs.low) / psnrs.width());
   return "<circle cx=\"" + coordinate(x) + "\" cy=\"" + coordinate(y) + "\" r=\"" +
          coordinate(radius) + "\" " + fill + ">" + title + "</circle>\n";
 }
 
 /// A kind of map: the coordinate of an eye on the vertical axis, and the panel's outline.
 struct MapKind {
-  std::string name;
+  std::string name;  ///< of its files
+  std::string title;
   double Vec3::*up;
   bool isDown;  ///< the values grow downwards
   double panelHalf;
-  std::string title;
+  std::string titleUp;
 };
 
 /// Returns axes of equal scale that contain the panel and all eyes, with an aspect ratio between
@@ -173,103 +165,77 @@ std::string panelMark(const MapKind& kind, const Axis& across, const Axis& up, d
          "\"><title>the panel</title></rect>\n";
 }
 
-std::string map(const MapKind& kind, const std::vector<ReportRow>& rows,
-                const std::vector<ViewPoint>& points, double halfWidth, const Span& psnrs) {
-  const auto [across, up] = axesOf(kind, points, halfWidth);
-  std::string text = "<svg class=\"map\" viewBox=\"0 0 376 " +
-                     coordinate(std::max(up.from, up.to) + 46) + "\" role=\"img\" aria-label=\"" +
-                     kind.name + "\">" + svgText(mapLeft, 17, "start", kind.name) +
-                     svgFrame(across, up, "x in m, to the viewer's right", kind.title) +
-                     panelMark(kind, across, up, halfWidth) + "<g class=\"points\">\n";
-  for (const ViewPoint& point : points)
-    text += mark(point, rows[point.row], across.at(point.eye.x), up.at(point.eye.*kind.up),
-                 radiusFor(points.size()), psnrs);
-  return text + "</g></svg>\n";
-}
-
 double angleOf(const Vec3& eye) {
   return std::atan2(eye.x, eye.z) * 180 / std::numbers::pi;
 }
 
-/// Returns a text such as "a.jpg: 0.25 bits, 31.20 (30.95 … 31.44)".
-std::string titleOf(const TestSummary& test, double rate, std::size_t mean, int decimals) {
-  const auto number = [&](double value) { return rounded(value, decimals); };
-  const Interval& interval = test.intervals[mean];
-  return test.test + ": " + numberText(rate) + " bits, " + number(test.summary.means[mean]) + " (" +
-         number(interval.low) + " … " + number(interval.high) + ")";
-}
-
-/// Returns the finite points of a group, in ascending order of rate.
-Plot::Series curveOf(const RateGroup& group, const std::vector<TestSummary>& summaries,
-                     std::size_t mean, int decimals) {
-  Plot::Series curve{group.name, {}, 4.5};
-  for (const TestRate& rate : group.tests)
-    for (const TestSummary& test : summaries)
-      if (test.test == rate.test && std::isfinite(test.summary.means[mean]))
-        curve.points.push_back({std::log10(rate.rate), test.summary.means[mean],
-                                titleOf(test, rate.rate, mean, decimals), 0, test.intervals[mean]});
-  std::ranges::sort(curve.points, {}, &Plot::Point::across);
-  return curve;
-}
-
-Plot ratePlot(const std::vector<TestSummary>& summaries, const std::vector<RateGroup>& groups,
-              std::size_t index, const MetricMean& mean) {
-  Plot plot{"bits per directional pixel",
-            mean.title + (mean.unit.empty() ? "" : " in " + mean.unit),
-            {1e-3, 1e-3},
-            true,
-            true,
-            {}};
-  for (const RateGroup& group : groups)
-    plot.series.push_back(curveOf(group, summaries, index, mean.decimals));
-  return plot;
-}
-
-}  // namespace
-
-std::string colourBar(double low, double high, const std::string& unit) {
-  constexpr int steps = 64;
-  const Axis up{low, high, 250, 30};
-  std::string text = "<svg class=\"colours\" viewBox=\"0 0 84 266\" role=\"img\" aria-label=\"" +
-                     escaped(unit) + "\">" + svgText(4, 17, "start", unit);
-  for (int k = 0; k < steps; ++k)
-    text += "<rect x=\"4\" y=\"" + coordinate(up.from - 220.0 * (k + 1) / steps) +
-            "\" width=\"20\" height=\"4\" fill=\"" + colourOf((k + 0.5) / steps) + "\"/>";
-  for (const Tick& tick : linearTicks(up, 6)) {
-    const double y = up.at(tick.value);
-    text += svgLine(24, y, 29, y, "tick") + svgText(33, y + 4, "start", tick.text);
-  }
+std::string map(const MapKind& kind, const std::vector<ReportRow>& rows,
+                const std::vector<ViewPoint>& points, double halfWidth, const Span& psnrs) {
+  const auto [across, up] = axesOf(kind, points, halfWidth);
+  const double bottom = std::max(up.from, up.to);
+  std::string text = "<svg class=\"map\" viewBox=\"0 0 " + numberText(columnUnits) + " " +
+                     coordinate(bottom + 46) + "\" role=\"img\" aria-label=\"" + kind.title +
+                     "\">" + svgText(mapLeft, 17, "start", kind.title) +
+                     svgFrame(across, up, "x in m, to the viewer's right", kind.titleUp) +
+                     panelMark(kind, across, up, halfWidth) + "<g class=\"points\">\n";
+  for (const ViewPoint& point : points)
+    text += mark(point, rows[point.row], across.at(point.eye.x), up.at(point.eye.*kind.up),
+                 radiusFor(points.size()), psnrs);
+  text += "</g>";
+  if (psnrs.low < psnrs.high)
+    text += svgScale(across.to + scaleGap, {psnrs.low, psnrs.high, bottom, mapTop}, "dB");
   return text + "</svg>\n";
 }
 
-std::string cameraMaps(const std::vector<ReportRow>& rows, const DisplayParams& display) {
-  const Span psnrs = psnrSpan(rows);
-  const MapKind above{"From above", &Vec3::z, true, 0, "z in m, toward the viewer"};
-  const MapKind front{"From the front", &Vec3::y, false, display.size[1] / 2, "y in m, up"};
-  std::string text;
-  for (const std::string& test : testsOf(rows)) {
-    const std::vector<ViewPoint> points = pointsOf(rows, test, display);
-    text += "<figure><figcaption>" + escaped(test) + "</figcaption><div class=\"row\">\n";
-    for (const MapKind& kind : {above, front})
-      text += map(kind, rows, points, display.size[0] / 2, psnrs);
-    if (psnrs.low < psnrs.high) text += colourBar(psnrs.low, psnrs.high, "PSNR in dB");
-    text += "</div></figure>\n";
-  }
+/// Whether the eyes of all points lie in one place, by two coordinates.
+bool coincide(const std::vector<ViewPoint>& points, double Vec3::*first, double Vec3::*second) {
+  return std::ranges::all_of(points, [&](const ViewPoint& point) {
+    constexpr double same = 1e-6;  // metres
+    const Vec3& eye = points.front().eye;
+    return std::abs(point.eye.*first - eye.*first) < same &&
+           std::abs(point.eye.*second - eye.*second) < same;
+  });
+}
+
+/// Returns a line for each eye, in the order of the rows.
+std::string csvOf(std::vector<ViewPoint> points, const std::vector<ReportRow>& rows) {
+  std::ranges::sort(points, {}, &ViewPoint::row);
+  std::string text = "state,x,y,z,angle,psnr_seen\n";
+  for (const ViewPoint& point : points)
+    text += csvCell(rows[point.row].state) + "," + numberText(point.eye.x) + "," +
+            numberText(point.eye.y) + "," + numberText(point.eye.z) + "," +
+            numberText(angleOf(point.eye)) + "," + numberCell(point.psnr) + "\n";
   return text;
 }
 
-Plot psnrPlot(const std::vector<ReportRow>& rows, const DisplayParams& display, bool isOverAngle) {
-  const std::vector<std::string> tests = testsOf(rows);
+/// Returns a test's figure of a kind of map; none if all eyes are at one place.
+std::vector<Figure> mapFigures(const std::vector<ReportRow>& rows, const std::string& test,
+                               const std::string& name, const DisplayParams& display) {
+  const std::vector<ViewPoint> points = pointsOf(rows, test, display);
+  const MapKind above{"above", "Eyes from above", &Vec3::z, true, 0, "z in m, toward the viewer"};
+  const MapKind front{"front", "Eyes from the front", &Vec3::y,
+                      false,   display.size[1] / 2,   "y in m, up"};
+  std::vector<Figure> figures;
+  for (const MapKind& kind : {above, front})
+    if (!coincide(points, &Vec3::x, kind.up))
+      figures.push_back({name + "_" + kind.name, kind.title, "",
+                         map(kind, rows, points, display.size[0] / 2, psnrSpan(rows)),
+                         csvOf(points, rows)});
+  return figures;
+}
+
+Plot psnrPlot(const std::vector<ReportRow>& rows, const std::vector<std::string>& tests,
+              const DisplayParams& display, bool isOverAngle) {
+  const std::size_t all = testsOf(rows).size();
   Plot plot;
-  plot.titleAcross =
-      isOverAngle ? "horizontal viewing angle in degrees, to the viewer's right" : "state";
+  plot.titleAcross = isOverAngle ? "horizontal viewing angle in degrees, to the right" : "state";
   plot.titleUp = "PSNR in dB";
   plot.leastRange = {2, 1};
   for (const std::string& test : tests) {
     Plot::Series& series = plot.series.emplace_back(Plot::Series{test, {}});
     for (const ViewPoint& point : pointsOf(rows, test, display)) {
       if (point.kind == PlotKind::none) continue;
-      const double state = 1 + double(point.row / tests.size());
+      const double state = 1 + double(point.row / all);
       series.points.push_back({isOverAngle ? angleOf(point.eye) : state, point.psnr,
                                titleOf(point, rows[point.row]), point.row});
       series.points.back().name = rows[point.row].state + "  " + rounded(point.psnr, 1) + " dB";
@@ -279,31 +245,184 @@ Plot psnrPlot(const std::vector<ReportRow>& rows, const DisplayParams& display, 
   return plot;
 }
 
-std::string anglePlot(const std::vector<ReportRow>& rows, const DisplayParams& display) {
-  const Plot plot = psnrPlot(rows, display, true);
-  const bool hasNumbers = std::ranges::any_of(plot.series, [](const Plot::Series& series) {
+bool hasNumbers(const Plot& plot) {
+  return std::ranges::any_of(plot.series, [](const Plot::Series& series) {
     return std::ranges::any_of(series.points,
                                [](const Plot::Point& point) { return std::isfinite(point.up); });
   });
-  if (!hasNumbers) return {};
-  return "<figure>" + svgOf(plot, {760, 334}, "wide", "PSNR over viewing angle") + legendOf(plot) +
-         "</figure>\n";
 }
 
-std::string ratePlots(const std::vector<TestSummary>& summaries, const MetricSet& metrics,
-                      const std::vector<RateGroup>& groups) {
-  if (groups.empty()) return {};
-  std::string plots, legend;
-  for (std::size_t k = 0; k < metrics.means().size(); ++k) {
-    const MetricMean& mean = metrics.means()[k];
-    const bool isOfPlugin = k > meanPsnrYuvSeen;
-    if (!mean.isQuality || !(mean.isSeen || isOfPlugin)) continue;
-    const Plot plot = ratePlot(summaries, groups, k, mean);
-    legend = legendOf(plot);
-    if (std::ranges::any_of(plot.series, [](const auto& curve) { return !curve.points.empty(); }))
-      plots += svgOf(plot, {376, 296, 46, 12}, "map", plot.titleUp + " over rate");
+/// A mean of the headlines, plain or weighted by the states' weights.
+struct PlottedMean {
+  const MetricMean& mean;
+  std::size_t index = 0;
+  bool isWeighted = false;
+
+  [[nodiscard]] double of(const TestSummary& test) const {
+    return (isWeighted ? test.summary.weighted : test.summary.means)[index];
   }
-  return "<figure><div class=\"plots\">\n" + plots + "</div>" + legend + "</figure>\n";
+  [[nodiscard]] const Interval& intervalOf(const TestSummary& test) const {
+    return test.intervals[index + (isWeighted ? test.summary.means.size() : 0)];
+  }
+};
+
+/// Returns a text such as "a.jpg: 0.25 bits, 31.20 (30.95 … 31.44)".
+std::string titleOf(const TestSummary& test, double rate, const PlottedMean& mean) {
+  const auto number = [&](double value) { return rounded(value, mean.mean.decimals); };
+  const Interval& interval = mean.intervalOf(test);
+  return test.test + ": " + numberText(rate) + " bits, " + number(mean.of(test)) + " (" +
+         number(interval.low) + " … " + number(interval.high) + ")";
+}
+
+/// Returns the finite points of a group, in ascending order of rate.
+Plot::Series curveOf(const RateGroup& group, const std::vector<TestSummary>& summaries,
+                     const PlottedMean& mean) {
+  Plot::Series curve{group.name, {}, 4.5};
+  for (const TestRate& rate : group.tests)
+    for (const TestSummary& test : summaries)
+      if (test.test == rate.test && std::isfinite(mean.of(test)))
+        curve.points.push_back({std::log10(rate.rate), mean.of(test),
+                                titleOf(test, rate.rate, mean), 0, mean.intervalOf(test)});
+  std::ranges::sort(curve.points, {}, &Plot::Point::across);
+  return curve;
+}
+
+Plot ratePlot(const std::vector<TestSummary>& summaries, const std::vector<RateGroup>& groups,
+              const PlottedMean& mean) {
+  Plot plot{"bits per directional pixel",
+            mean.mean.title + (mean.mean.unit.empty() ? "" : " in " + mean.mean.unit) +
+                (mean.isWeighted ? ", weighted" : ""),
+            {1e-3, 1e-3},
+            true,
+            true,
+            {}};
+  for (const RateGroup& group : groups) plot.series.push_back(curveOf(group, summaries, mean));
+  return plot;
+}
+
+std::string csvOf(const std::vector<TestSummary>& summaries, const std::vector<RateGroup>& groups,
+                  const PlottedMean& mean) {
+  std::string text = "group,test,rate_bpp," + mean.mean.name + ",low,high,means\n";
+  for (const RateGroup& group : groups)
+    for (const TestRate& rate : group.tests) {
+      const auto test = std::ranges::find(summaries, rate.test, &TestSummary::test);
+      if (test == summaries.end()) continue;
+      text += csvCell(group.name) + "," + csvCell(rate.test) + "," + numberText(rate.rate) + "," +
+              numberCell(mean.of(*test)) + "," + numberCell(mean.intervalOf(*test).low) + "," +
+              numberCell(mean.intervalOf(*test).high) +
+              (mean.isWeighted ? ",weighted\n" : ",plain\n");
+    }
+  return text;
+}
+
+/// Cells of the panel: their picture, what is along its sides, its scale of colours.
+struct CellPlot {
+  std::string title;
+  std::string titleAcross;
+  std::string titleUp;
+  std::array<int, 2> cells{};  ///< across, down
+  double shape = 1;            ///< height/width
+  std::array<double, 2> shades{};
+  std::string unit;
+};
+
+std::string svgOf(const CellPlot& plot, const std::string& png) {
+  constexpr double most = 300;  // of the height
+  const double shape = std::clamp(plot.shape, 0.2, 5.0);
+  const double width = std::min(mapWidth, most / shape);
+  const Axis across{0, double(plot.cells[0]), mapLeft, mapLeft + width};
+  const Axis down{0, double(plot.cells[1]), mapTop, mapTop + shape * width};
+  std::string text = "<svg class=\"map\" viewBox=\"0 0 " + numberText(columnUnits) + " " +
+                     coordinate(down.to + 46) + "\" role=\"img\" aria-label=\"" +
+                     escaped(plot.title) + "\">" + svgText(mapLeft, 17, "start", plot.title) +
+                     svgFrame(across, down, plot.titleAcross, plot.titleUp) + "<image x=\"" +
+                     coordinate(across.from) + "\" y=\"" + coordinate(down.from) + "\" width=\"" +
+                     coordinate(width) + "\" height=\"" + coordinate(shape * width) +
+                     "\" preserveAspectRatio=\"none\" href=\"data:image/png;base64," + base64(png) +
+                     "\"/>";
+  if (plot.shades[0] < plot.shades[1])
+    text += svgScale(across.to + scaleGap, {plot.shades[0], plot.shades[1], down.to, down.from},
+                     plot.unit);
+  return text + "</svg>\n";
+}
+
+}  // namespace
+
+Plot psnrPlot(const std::vector<ReportRow>& rows, const DisplayParams& display, bool isOverAngle) {
+  return psnrPlot(rows, testsOf(rows), display, isOverAngle);
+}
+
+std::vector<Figure> cameraFigures(const std::vector<ReportRow>& rows, std::size_t test,
+                                  const DisplayParams& display) {
+  const std::string tested = testsOf(rows)[test];
+  const std::string name = "test" + std::to_string(test + 1);
+  std::vector<Figure> figures = mapFigures(rows, tested, name, display);
+  const std::vector<ViewPoint> points = pointsOf(rows, tested, display);
+  if (points.size() < 2) return figures;
+  const bool isOverAngle = std::ranges::any_of(points, [&](const ViewPoint& point) {
+    return std::abs(angleOf(point.eye) - angleOf(points.front().eye)) > 1e-4;
+  });
+  const Plot plot = psnrPlot(rows, {tested}, display, isOverAngle);
+  if (hasNumbers(plot))
+    figures.push_back(figureOf(plot, name + (isOverAngle ? "_angle" : "_states"),
+                               isOverAngle ? "PSNR over viewing angle" : "PSNR of the states",
+                               csvOf(points, rows)));
+  return figures;
+}
+
+std::vector<Figure> rateFigures(const std::vector<TestSummary>& summaries, const MetricSet& metrics,
+                                const std::vector<RateGroup>& groups) {
+  if (groups.empty()) return {};
+  const bool isWeighted = std::ranges::any_of(
+      summaries, [](const TestSummary& test) { return haveWeights(test.rows); });
+  std::vector<Figure> figures;
+  for (std::size_t k = 0; k < metrics.means().size(); ++k) {
+    if (!metrics.means()[k].isQuality || !metrics.isHeadline(k)) continue;
+    const PlottedMean mean{metrics.means()[k], k, isWeighted};
+    const Plot plot = ratePlot(summaries, groups, mean);
+    if (hasNumbers(plot))
+      figures.push_back(figureOf(plot, "rate_" + mean.mean.name, plot.titleUp + " over rate",
+                                 csvOf(summaries, groups, mean)));
+  }
+  return figures;
+}
+
+std::vector<Figure> panelFigures(const ReportPanel& panel, std::size_t test,
+                                 const PanelParams& display) {
+  const std::string name = "test" + std::to_string(test + 1) + "_";
+  const auto ofDirections = [&](const char* title, const std::array<double, 2>& shades,
+                                const char* unit) {
+    const auto half = [](double whole) { return numberText(std::round(50 * whole) / 100); };
+    return CellPlot{title,
+                    "direction, " + half(display.fov[0]) + "° left to right",
+                    "direction, " + half(display.fov[1]) + "° up to down",
+                    display.directions,
+                    display.fov[1] / display.fov[0],
+                    shades,
+                    unit};
+  };
+  const PanelErrorFigures& of = panel.figures;
+  const CellPlot hogels{"Error over the hogels",
+                        "hogel, from the left",
+                        "hogel, from the top",
+                        display.hogels,
+                        display.size[1] / display.size[0],
+                        {0, of.hogelScale},
+                        "MSE"};
+  const CellPlot directions =
+      ofDirections("Error over the directions", {0, of.directionScale}, "MSE");
+  std::vector<Figure> figures{
+      {name + "hogels", hogels.title, "", svgOf(hogels, panel.hogels), panel.hogelCells},
+      {name + "directions", directions.title, "", svgOf(directions, panel.directions),
+       panel.directionCells}};
+  if (panel.views.empty()) return figures;
+  const CellPlot views =
+      ofDirections("Error of the light field's views", {0, panel.viewScale}, "MSE");
+  const CellPlot ranks =
+      ofDirections("Rank of the perceived error less own rank", {-1, 1}, "of ranks");
+  figures.push_back({name + "views", views.title, "", svgOf(views, panel.views), panel.viewCells});
+  figures.push_back({name + "ranks", ranks.title, "", svgOf(ranks, panel.ranks), panel.viewCells});
+  return figures;
 }
 
 }  // namespace hogelscope

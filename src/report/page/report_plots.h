@@ -5,30 +5,53 @@
 #include <string>
 #include <vector>
 
+#include "core/metrics/panel_error_figures.h"
 #include "core/metrics/summary.h"
+#include "core/metrics/view_error.h"
 #include "core/panel/display.h"
-#include "page/plot.h"
+#include "page/figure.h"
 
 namespace hogelscope {
 
-/// Returns two maps for each test, with the eyes from above and from the front, in the display
-/// frame at equal scale, coloured by PSNR; hollow for identical views, a cross without a
-/// comparison.
-std::string cameraMaps(const std::vector<ReportRow>& rows, const DisplayParams& display);
+/// The error of a test over the hogels and over the directions, each as a complete PNG file and as
+/// CSV.
+struct ReportPanel {
+  std::string test;
+  std::string hogels;
+  std::string directions;
+  PanelErrorFigures figures;
+  /// The error of the light field's own views, and the difference of its ranks to the perceived
+  /// one; empty unless both light fields are completely in memory.
+  std::string views{};
+  std::string ranks{};
+  double viewScale = 0;  ///< MSE at the end of the colour scale of `views`
+  ViewAgreement agreement{};
+  std::string hogelCells{};      ///< "hogel_x,hogel_y,mse,pixels"
+  std::string directionCells{};  ///< "direction_u,direction_v,mse,pixels"
+  std::string viewCells{};       ///< "direction_u,direction_v,mse,rank_difference"
+};
 
 /// Returns a plot of each row's PSNR over the eye's horizontal angle, atan2(x, z) in the display
 /// frame, or over the number of its state, from 1; one series for each test. Rows are in
 /// ReportOrder; those with a problem have no point.
 Plot psnrPlot(const std::vector<ReportRow>& rows, const DisplayParams& display, bool isOverAngle);
-/// Returns the plot over the angle for the page; empty if no PSNR is finite.
-std::string anglePlot(const std::vector<ReportRow>& rows, const DisplayParams& display);
 
-/// Returns rate–distortion plots: each headline quality over bits per directional pixel, one curve
-/// for each group, with the 95 % intervals of the means. Empty without groups.
-std::string ratePlots(const std::vector<TestSummary>& summaries, const MetricSet& metrics,
-                      const std::vector<RateGroup>& groups);
+/// Returns the figures testN_above and testN_front, with the eyes in the display frame at equal
+/// scale, coloured by PSNR (hollow for identical views, a cross without a comparison), and the PSNR
+/// over the angle, testN_angle, or, where all eyes have one, over the states, testN_states. Figures
+/// whose points would coincide are left out. `test` counts from 0, N from 1.
+std::vector<Figure> cameraFigures(const std::vector<ReportRow>& rows, std::size_t test,
+                                  const DisplayParams& display);
 
-/// Returns an upright scale of the false colours for [low, high], with `unit` above.
-std::string colourBar(double low, double high, const std::string& unit);
+/// Returns rate–distortion figures: each headline quality over bits per directional pixel, one
+/// curve for each group, with the 95 % intervals of the means; weighted means where states have
+/// weights. Empty without groups.
+std::vector<Figure> rateFigures(const std::vector<TestSummary>& summaries, const MetricSet& metrics,
+                                const std::vector<RateGroup>& groups);
+
+/// Returns the figures testN_hogels, testN_directions, and testN_views and testN_ranks if the
+/// panel has them.
+std::vector<Figure> panelFigures(const ReportPanel& panel, std::size_t test,
+                                 const PanelParams& display);
 
 }  // namespace hogelscope

@@ -6,6 +6,7 @@
 
 #include "core/base/text.h"
 #include "page/html.h"
+#include "report/page/test_names.h"
 
 namespace hogelscope {
 
@@ -19,6 +20,14 @@ std::string cell(const std::string& text) {
 std::string withInterval(double value, const Interval& interval, int digits) {
   return cell(rounded(value, digits) + " <small>(" + rounded(interval.low, digits) + " … " +
               rounded(interval.high, digits) + ")</small>");
+}
+
+/// Returns a text such as "31.20 dB (30.95 … 31.44)"; without an interval that is not known.
+std::string withRange(double value, const Interval& interval, int digits, const std::string& unit) {
+  std::string text = rounded(value, digits) + unit;
+  if (!std::isnan(interval.low))
+    text += " (" + rounded(interval.low, digits) + " … " + rounded(interval.high, digits) + ")";
+  return text;
 }
 
 /// Returns a title such as "mean PSNR in dB".
@@ -37,73 +46,81 @@ std::string counts(const TestSummary& test, bool hasBlind) {
          "</td>";
 }
 
-/// The layout of a table: means over the seen pixels, with counts and worst views, or all others.
+/// The layout of a table: the headlines, with counts and worst views, or all other means.
 struct MeansTable {
   const MetricSet& metrics;
-  bool isSeen;
+  bool isHeadlines;
   bool hasBlind;
   bool hasRates;
+
+  [[nodiscard]] bool has(std::size_t mean) const { return metrics.isHeadline(mean) == isHeadlines; }
 };
 
 std::string rateText(const TestSummary& test) {
   return test.rate ? rounded(*test.rate, 4) : std::string("–");
 }
 
-std::string tableRow(const TestSummary& test, const MeansTable& table, bool isWeighted) {
+std::string tableRow(const TestSummary& test, const std::string& name, const MeansTable& table,
+                     bool isWeighted) {
   const std::vector<double>& means = isWeighted ? test.summary.weighted : test.summary.means;
   const Interval* intervals = &test.intervals[isWeighted ? means.size() : 0];
-  std::string text = "<tr><td>" + escaped(test.test) + (isWeighted ? ", weighted" : "") + "</td>";
+  std::string text = "<tr><td>" + escaped(name) + (isWeighted ? ", weighted" : "") + "</td>";
   if (table.hasRates) text += cell(rateText(test));
   for (std::size_t k = 0; k < means.size(); ++k)
-    if (table.metrics.means()[k].isSeen == table.isSeen)
+    if (table.has(k))
       text += withInterval(means[k], intervals[k], table.metrics.means()[k].decimals);
-  if (!table.isSeen) return text + "</tr>\n";
+  if (!table.isHeadlines) return text + "</tr>\n";
   if (!isWeighted) return text + counts(test, table.hasBlind) + "</tr>\n";
   return text + "<td colspan=\"" + (table.hasBlind ? "4" : "3") + "\"></td></tr>\n";
 }
 
-bool hasWeights(const TestSummary& test) {
-  return std::ranges::any_of(
-      test.rows, [&](const ReportRow& row) { return row.weight != test.rows.front().weight; });
+/// Returns the short names of the tests; the last summary, of all tests, has none.
+std::vector<std::string> namesOf(const std::vector<TestSummary>& summaries) {
+  std::vector<std::string> tests;
+  for (std::size_t k = 0; k + 1 < summaries.size(); ++k) tests.push_back(summaries[k].test);
+  return figureNames(tests);
 }
 
 std::string tableOf(const std::vector<TestSummary>& summaries, const MeansTable& table) {
   std::string text = "<div class=\"scroll\"><table class=\"means\"><thead><tr><th>test</th>";
   if (table.hasRates) text += "<th class=\"n\">bits a directional pixel</th>";
-  for (const MetricMean& mean : table.metrics.means())
-    if (mean.isSeen == table.isSeen) text += "<th class=\"n\">" + escaped(titleOf(mean)) + "</th>";
-  if (table.isSeen) {
+  for (std::size_t k = 0; k < table.metrics.means().size(); ++k)
+    if (table.has(k))
+      text += "<th class=\"n\">" + escaped(titleOf(table.metrics.means()[k])) + "</th>";
+  if (table.isHeadlines) {
     text += "<th class=\"n\">identical</th>";
     if (table.hasBlind) text += "<th class=\"n\">nothing to compare</th>";
     text += "<th class=\"n\">worst PSNR</th><th>worst view</th>";
   }
   text += "</tr></thead>\n<tbody>\n";
-  const std::size_t shown = summaries.size() == 2 ? 1 : summaries.size();  // equal for one test
-  for (std::size_t k = 0; k < shown; ++k) {
-    text += tableRow(summaries[k], table, false);
-    if (hasWeights(summaries[k])) text += tableRow(summaries[k], table, true);
+  const std::vector<std::string> names = namesOf(summaries);
+  for (std::size_t k = 0; k < names.size(); ++k) {
+    if (haveWeights(summaries[k].rows)) text += tableRow(summaries[k], names[k], table, true);
+    text += tableRow(summaries[k], names[k], table, false);
   }
   return text + "</tbody></table></div>\n";
 }
 
-/// Returns the same table as LaTeX: tests, rates and means with their intervals.
+/// Returns the same table as LaTeX: tests, rates and means with their intervals; weighted means
+/// where states have weights.
 std::string latexOf(const std::vector<TestSummary>& summaries, const MeansTable& table) {
   std::vector<std::string> heads{"test"};
   if (table.hasRates) heads.emplace_back("bpp");
-  for (const MetricMean& mean : table.metrics.means())
-    if (mean.isSeen == table.isSeen) heads.push_back(titleOf(mean));
+  for (std::size_t k = 0; k < table.metrics.means().size(); ++k)
+    if (table.has(k)) heads.push_back(titleOf(table.metrics.means()[k]));
   std::vector<std::vector<std::string>> rows;
-  const std::size_t shown = summaries.size() == 2 ? 1 : summaries.size();
-  for (std::size_t test = 0; test < shown; ++test) {
-    rows.push_back({summaries[test].test});
-    if (table.hasRates) rows.back().push_back(rateText(summaries[test]));
-    for (std::size_t k = 0; k < table.metrics.means().size(); ++k) {
-      const MetricMean& mean = table.metrics.means()[k];
-      if (mean.isSeen != table.isSeen) continue;
-      const auto number = [&](double value) { return rounded(value, mean.decimals); };
-      const Interval& interval = summaries[test].intervals[k];
-      rows.back().push_back(number(summaries[test].summary.means[k]) + " (" + number(interval.low) +
-                            "–" + number(interval.high) + ")");
+  const std::vector<std::string> names = namesOf(summaries);
+  for (std::size_t test = 0; test < names.size(); ++test) {
+    const TestSummary& of = summaries[test];
+    const bool isWeighted = haveWeights(of.rows);
+    const std::vector<double>& means = isWeighted ? of.summary.weighted : of.summary.means;
+    const Interval* intervals = &of.intervals[isWeighted ? means.size() : 0];
+    rows.push_back({names[test] + (isWeighted ? ", weighted" : "")});
+    if (table.hasRates) rows.back().push_back(rateText(of));
+    for (std::size_t k = 0; k < means.size(); ++k) {
+      if (table.has(k))
+        rows.back().push_back(
+            withRange(means[k], intervals[k], table.metrics.means()[k].decimals, ""));
     }
   }
   return latexTable(heads, rows);
@@ -117,9 +134,9 @@ std::vector<std::size_t> pageColumns(const MetricSet& metrics) {
   return columns;
 }
 
-std::string stateRow(const ReportRow& row, const MetricSet& metrics) {
+std::string stateRow(const ReportRow& row, const std::string& test, const MetricSet& metrics) {
   const std::vector<std::size_t> columns = pageColumns(metrics);
-  std::string text = "<tr><td>" + escaped(row.state) + "</td><td>" + escaped(row.test) + "</td>";
+  std::string text = "<tr><td>" + escaped(row.state) + "</td><td>" + escaped(test) + "</td>";
   if (!row.problem.empty())
     return text + "<td colspan=\"" + std::to_string(columns.size()) + "\" class=\"problem\">" +
            escaped(row.problem) + "</td></tr>\n";
@@ -127,18 +144,74 @@ std::string stateRow(const ReportRow& row, const MetricSet& metrics) {
   return text + "</tr>\n";
 }
 
+MeansTable meansTableOf(const std::vector<TestSummary>& summaries, const MetricSet& metrics,
+                        bool isSeen) {
+  return {metrics, isSeen, summaries.back().summary.withoutView > 0,
+          std::ranges::any_of(summaries,
+                              [](const TestSummary& test) { return test.rate.has_value(); })};
+}
+
+/// The cells of a comparison, for the page and for LaTeX.
+std::vector<std::string> cellsOf(const BdRow& row) {
+  const int decimals = row.quality.decimals;
+  return {row.group,
+          row.anchor,
+          titleOf(row.quality) + (row.isWeighted ? ", weighted" : ""),
+          withRange(row.delta.rate, row.rate, 2, ""),
+          withRange(row.delta.quality, row.gain, decimals, ""),
+          rounded(row.delta.from, decimals) + " … " + rounded(row.delta.to, decimals)};
+}
+
+const std::vector<std::string> bdHeads{"group",        "against",       "quality",
+                                       "BD-rate in %", "at equal rate", "over the range"};
+
+/// Returns the comparisons by headlines.
+std::vector<BdRow> headlinesOf(const std::vector<BdRow>& rows, const MetricSet& metrics) {
+  std::vector<BdRow> chosen;
+  for (const BdRow& row : rows)
+    for (std::size_t k = 0; k < metrics.means().size(); ++k)
+      if (metrics.means()[k].name == row.quality.name && metrics.isHeadline(k))
+        chosen.push_back(row);
+  return chosen;
+}
+
 }  // namespace
 
-std::string bdText(const std::vector<BdRow>& rows) {
+std::string bdText(const std::vector<BdRow>& rows, const MetricSet& metrics) {
   std::string text;
-  for (const BdRow& row : rows) {
-    text += row.group + " against " + row.anchor + ", " + row.quality.name + ": ";
-    if (!std::isnan(row.delta.rate)) text += "BD-rate " + rounded(row.delta.rate, 2) + " %";
+  for (const BdRow& row : headlinesOf(rows, metrics)) {
+    const std::string unit = row.quality.unit.empty() ? "" : " " + row.quality.unit;
+    text += row.group + " against " + row.anchor + ", " + row.quality.name +
+            (row.isWeighted ? ", weighted: " : ": ");
+    if (!std::isnan(row.delta.rate))
+      text += "BD-rate " + withRange(row.delta.rate, row.rate, 2, " %");
     if (!std::isnan(row.delta.quality))
-      text += ", at equal rate " + rounded(row.delta.quality, row.quality.decimals) +
-              (row.quality.unit.empty() ? "" : " " + row.quality.unit);
+      text +=
+          ", at equal rate " + withRange(row.delta.quality, row.gain, row.quality.decimals, unit);
     if (!row.delta.problem.empty())
       text += (std::isnan(row.delta.rate) ? "no BD-rate: " : "; ") + row.delta.problem;
+    text += "\n";
+  }
+  return text;
+}
+
+std::string testsText(const std::vector<TestSummary>& summaries) {
+  std::string text;
+  const std::vector<std::string> names = namesOf(summaries);
+  for (std::size_t k = 0; k < names.size(); ++k) {
+    const TestSummary& test = summaries[k];
+    const bool isWeighted = haveWeights(test.rows);
+    const std::vector<double>& means = isWeighted ? test.summary.weighted : test.summary.means;
+    const Interval* intervals = &test.intervals[isWeighted ? means.size() : 0];
+    text += printable(names[k]) + ": " + (test.rate ? rateText(test) + " bits, " : "") +
+            (isWeighted ? "weighted " : "") + "mean PSNR " +
+            withRange(means[meanPsnrSeen], intervals[meanPsnrSeen], 2,
+                      std::isfinite(means[meanPsnrSeen]) ? " dB" : "") +
+            ", mean SSIM " + rounded(means[meanSsimSeen], 4);
+    if (test.summary.worst) {
+      const ReportRow& worst = test.rows[*test.summary.worst];
+      text += ", worst " + rounded(worst.values[psnrSeenColumn], 2) + " dB: " + worst.state;
+    }
     text += "\n";
   }
   return text;
@@ -166,44 +239,47 @@ std::string summaryText(const ReportSummary& summary, const std::vector<ReportRo
   return text + "nothing to compare        " + std::to_string(summary.withoutView) + of;
 }
 
-std::string summaryTables(const std::vector<TestSummary>& summaries, const MetricSet& metrics) {
-  if (summaries.empty()) return {};
-  const bool hasBlind = summaries.back().summary.withoutView > 0;
-  const bool hasRates =
-      std::ranges::any_of(summaries, [](const TestSummary& test) { return test.rate.has_value(); });
-  const MeansTable seen{metrics, true, hasBlind, hasRates};
-  const MeansTable frame{metrics, false, hasBlind, hasRates};
-  return "<h2>Means over the states</h2>\n<p>Over the pixels seen in both pictures. In brackets 95 "
-         "% "
-         "bootstrap intervals. Means are of the finite PSNRs.</p>\n" +
-         tableOf(summaries, seen) + latexOf(summaries, seen) +
-         "<h3>The same over the whole frame, black surroundings included</h3>\n" +
-         tableOf(summaries, frame) + latexOf(summaries, frame);
+std::string meansTable(const std::vector<TestSummary>& summaries, const MetricSet& metrics) {
+  return "<p>Means over the states, of the pixels seen in both pictures; in brackets 95 % "
+         "bootstrap "
+         "intervals. Means are of the finite PSNRs.</p>\n" +
+         tableOf(summaries, meansTableOf(summaries, metrics, true)) +
+         latexPart(meansTex(summaries, metrics));
 }
 
-std::string bdTable(const std::vector<BdRow>& rows) {
-  const std::vector<std::string> heads{"group",   "against",       "quality", "over",
-                                       "BD-rate", "at equal rate", "from",    "to"};
-  std::string table = "<div class=\"scroll\"><table class=\"means\"><thead><tr>";
-  for (const std::string& head : heads) table += "<th>" + head + "</th>";
-  table += "</tr></thead>\n<tbody>\n";
+std::string frameTable(const std::vector<TestSummary>& summaries, const MetricSet& metrics) {
+  const MeansTable table = meansTableOf(summaries, metrics, false);
+  return tableOf(summaries, table) + latexPart(latexOf(summaries, table));
+}
+
+std::string meansTex(const std::vector<TestSummary>& summaries, const MetricSet& metrics) {
+  return latexOf(summaries, meansTableOf(summaries, metrics, true));
+}
+
+std::string bdTex(const std::vector<BdRow>& rows, const MetricSet& metrics) {
   std::vector<std::vector<std::string>> cells;
-  for (const auto& [anchor, group, quality, delta] : rows) {
-    cells.push_back({group, anchor, titleOf(quality), quality.isSeen ? "seen" : "frame"});
+  for (const BdRow& row : headlinesOf(rows, metrics)) cells.push_back(cellsOf(row));
+  return latexTable(bdHeads, cells);
+}
+
+std::string bdTable(const std::vector<BdRow>& rows, const MetricSet& metrics) {
+  std::string table =
+      "<p>Additional bits at equal quality, and gain of quality at equal rate; in brackets 95 % "
+      "bootstrap intervals over the states. Other qualities are in bd.csv.</p>\n"
+      "<div class=\"scroll\"><table class=\"means\"><thead><tr>";
+  for (const std::string& head : bdHeads) table += "<th>" + head + "</th>";
+  table += "</tr></thead>\n<tbody>\n";
+  for (const BdRow& row : headlinesOf(rows, metrics)) {
     table += "<tr>";
-    for (const std::string& text : cells.back()) table += "<td>" + escaped(text) + "</td>";
-    for (const std::string& number :
-         {rounded(delta.rate, 2) + (std::isnan(delta.rate) ? "" : " %"),
-          rounded(delta.quality, quality.decimals), rounded(delta.from, quality.decimals),
-          rounded(delta.to, quality.decimals)}) {
-      cells.back().push_back(number);
-      table += cell(number);
-    }
+    const std::vector<std::string> cells = cellsOf(row);
+    for (std::size_t k = 0; k < cells.size(); ++k)
+      table += k < 3 ? "<td>" + escaped(cells[k]) + "</td>" : cell(cells[k]);
     table += "</tr>\n";
-    if (!delta.problem.empty())
-      table += "<tr><td colspan=\"8\" class=\"problem\">" + escaped(delta.problem) + "</td></tr>\n";
+    if (!row.delta.problem.empty())
+      table +=
+          "<tr><td colspan=\"6\" class=\"problem\">" + escaped(row.delta.problem) + "</td></tr>\n";
   }
-  return table + "</tbody></table></div>\n" + latexTable(heads, cells);
+  return table + "</tbody></table></div>\n" + latexPart(bdTex(rows, metrics));
 }
 
 std::string statesTable(const std::vector<ReportRow>& rows, const MetricSet& metrics) {
@@ -215,7 +291,9 @@ std::string statesTable(const std::vector<ReportRow>& rows, const MetricSet& met
             escaped(column.title + (column.unit.empty() ? "" : " " + column.unit)) + "</th>";
   }
   text += "</tr></thead>\n<tbody>\n";
-  for (const ReportRow& row : rows) text += stateRow(row, metrics);
+  const std::vector<std::string> names = figureNames(testsOf(rows));
+  for (std::size_t k = 0; k < rows.size(); ++k)
+    text += stateRow(rows[k], names[k % names.size()], metrics);
   return text + "</tbody></table></div>\n";
 }
 

@@ -19,14 +19,22 @@ struct ReportLens {
 /// Returns the summary, one line each.
 std::string summaryText(const ReportSummary& summary, const std::vector<ReportRow>& rows);
 
-/// Returns the BD-rates, one line each.
-std::string bdText(const std::vector<BdRow>& rows);
+/// Returns a line for each test, with weighted means where states have weights.
+std::string testsText(const std::vector<TestSummary>& summaries);
 
-/// Returns the means of every test as HTML. The last summary is the one of all tests.
-std::string summaryTables(const std::vector<TestSummary>& summaries, const MetricSet& metrics);
+/// Returns the BD-rates of the headlines, one line each.
+std::string bdText(const std::vector<BdRow>& rows, const MetricSet& metrics);
 
-/// Returns the BD-rates as HTML.
-std::string bdTable(const std::vector<BdRow>& rows);
+/// Returns the means of every test over the seen pixels, or over the whole frame, as HTML: weighted
+/// ones first where states have weights. The last summary, of all tests, is left out.
+std::string meansTable(const std::vector<TestSummary>& summaries, const MetricSet& metrics);
+std::string frameTable(const std::vector<TestSummary>& summaries, const MetricSet& metrics);
+/// Returns meansTable() as LaTeX, with weighted means alone where states have weights.
+std::string meansTex(const std::vector<TestSummary>& summaries, const MetricSet& metrics);
+
+/// Returns the BD-rates of the headlines as HTML, and as LaTeX.
+std::string bdTable(const std::vector<BdRow>& rows, const MetricSet& metrics);
+std::string bdTex(const std::vector<BdRow>& rows, const MetricSet& metrics);
 
 /// Returns a table with a row for each state and test.
 std::string statesTable(const std::vector<ReportRow>& rows, const MetricSet& metrics);

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Short names of tests, which a report knows by their files' paths.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace hogelscope {
+
+/// Returns the files' names, with as much of their paths as makes them differ.
+std::vector<std::string> shortNames(const std::vector<std::string>& files);
+
+/// Returns the names for figures: the files' names without their endings if these differ, else
+/// shortNames().
+std::vector<std::string> figureNames(const std::vector<std::string>& files);
+
+}  // namespace hogelscope
