@@ -37,32 +37,24 @@ for (const table of document.querySelectorAll('table.sorts')) {
     head.append(button);
   });
 }
-for (const tests of document.querySelectorAll('.tests')) {
-  const sections = [...tests.children];
-  if (sections.length === 1) continue;
-  const label = document.createElement('label'), choice = document.createElement('select');
-  for (const section of sections) {
-    const option = document.createElement('option');
-    option.textContent = section.dataset.test;
-    choice.append(option);
+const choices = [...document.querySelectorAll('.tests')].filter(tests => tests.children.length > 1);
+// The choice of a test holds for all parts of the page that have it.
+const showTest = name => {
+  for (const tests of choices) {
+    const sections = [...tests.children];
+    if (!sections.some(section => section.dataset.test === name)) continue;
+    for (const section of sections) section.hidden = section.dataset.test !== name;
+    tests.previousElementSibling.lastChild.value = name;
   }
-  const show = () => sections.forEach((section, k) => section.hidden = k !== choice.selectedIndex);
-  // The choice holds for all parts of the page.
-  choice.addEventListener('change', () => {
-    for (const other of document.querySelectorAll('.tests select')) {
-      if (other === choice) continue;
-      const same = [...other.options].findIndex(one => one.textContent === choice.value);
-      if (same === -1 || same === other.selectedIndex) continue;
-      other.selectedIndex = same;
-      other.dispatchEvent(new Event('shown'));
-    }
-    show();
-  });
-  choice.addEventListener('shown', show);
+};
+for (const tests of choices) {
+  const label = document.createElement('label'), choice = document.createElement('select');
+  for (const section of tests.children) choice.append(new Option(section.dataset.test));
+  choice.addEventListener('change', () => showTest(choice.value));
   label.append('Test ', choice);
   tests.before(label);
-  show();
 }
+for (const tests of choices.reverse()) showTest(tests.children[0].dataset.test);
 for (const plot of document.querySelectorAll('svg.brushed')) {
   const lines = [...plot.querySelectorAll('polyline')], kept = new Map();
   const show = () => {

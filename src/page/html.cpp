@@ -35,7 +35,7 @@ std::string escapedLine(const std::string& text) {
 
 /// Returns the text for LaTeX: special characters escaped, dashes and hyphens in ASCII.
 std::string texText(const std::string& text) {
-  static constexpr std::array<Replacement, 16> commands{{{"\\", "\\textbackslash{}"},
+  static constexpr std::array<Replacement, 15> commands{{{"\\", "\\textbackslash{}"},
                                                          {"{", "\\{"},
                                                          {"}", "\\}"},
                                                          {"&", "\\&"},
@@ -48,7 +48,6 @@ std::string texText(const std::string& text) {
                                                          {"–", "--"},
                                                          {"\u2011", "-"},
                                                          {"…", "\\ldots{}"},
-                                                         {"°", "\\textdegree{}"},
                                                          {"<", "\\textless{}"},
                                                          {">", "\\textgreater{}"}}};
   return replaced(text, commands);

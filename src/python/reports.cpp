@@ -172,17 +172,15 @@ std::pair<py::dict, py::dict> meansOf(const std::vector<TestSummary>& summaries,
   for (const TestSummary& test : summaries) {
     if (&test == &summaries.back()) break;  // of all tests
     py::dict values, ranges;
-    const auto add = [&](const std::string& begin, const std::vector<double>& list,
-                         std::size_t from) {
-      for (std::size_t k = 0; k < list.size(); ++k) {
+    const auto add = [&](const std::string& begin, const MeansOfTest& of) {
+      for (std::size_t k = 0; k < of.values.size(); ++k) {
         const py::str name(begin + metrics.means()[k].name);
-        const Interval& interval = test.intervals[from + k];
-        values[name] = list[k];
-        ranges[name] = py::make_tuple(interval.low, interval.high);
+        values[name] = of.values[k];
+        ranges[name] = py::make_tuple(of.intervals[k].low, of.intervals[k].high);
       }
     };
-    add("", test.summary.means, 0);
-    if (haveWeights(test.rows)) add("weighted_", test.summary.weighted, test.summary.means.size());
+    add("", test.means(false));
+    if (test.hasWeights()) add("weighted_", test.means(true));
     means[py::str(test.test)] = values;
     intervals[py::str(test.test)] = ranges;
   }

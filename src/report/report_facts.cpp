@@ -90,12 +90,13 @@ ReportFacts factsOf(const ReportRequest& request, FileHashes& hashes, const Prog
 }
 
 std::vector<std::string> warningsOf(const ReportRequest& request) {
-  if (request.isAgainstIdeal) return {};
-  for (const std::filesystem::path& file : request.file->files())
-    if (const std::string format = lossyFormatOf(file); !format.empty())
-      return {"the reference is itself a lossy file (" + format + ", " + file.string() +
-              "): every figure also has its errors; use the lossless original"};
-  return {};
+  const std::vector<std::filesystem::path> files = request.file->files();
+  // A scene's textures are no pictures of its views; the views of a folder are of one format.
+  if (request.session.lightField.isLive() || files.empty()) return {};
+  const std::string format = lossyFormatOf(files.front());
+  if (format.empty()) return {};
+  return {"the reference is itself a lossy file (" + format + ", " + files.front().string() +
+          "): every figure also has its errors; use the lossless original"};
 }
 
 }  // namespace hogelscope

@@ -6,6 +6,7 @@
 #include <QXmlStreamReader>
 #include <cmath>
 
+#include "core/base/colour_map.h"
 #include "tests/cli/csv.h"
 #include "tests/cli/program.h"
 #include "tests/cli/views.h"
@@ -61,6 +62,8 @@ class TestReport : public QObject {
   void testIsAFolderOfAnotherLayout();
   void testIsAnImageOfAnotherLayout();
   void pictures();
+  void sideBySide();
+  void lossyReference();
   void page();
   void summary();
   void toleranceIsLeftAside();
@@ -213,6 +216,56 @@ void TestReport::pictures() {
   QVERIFY(valuesOf<std::uint8_t>("out/test1/<i>&.png") == tests[0].rgb);
   QVERIFY(valuesOf<std::uint8_t>("out/test2/<i>&.png") == references[0].rgb);
   QVERIFY(references[0].rgb != tests[0].rgb);
+}
+
+/// Reference and test stand as they are in the sheet, beside the map of their error: where they
+/// are the same it has the colour of 0.
+void TestReport::sideBySide() {
+  QCOMPARE(report({"--test", "b.png", "--states", "a*"}).status, 0);
+  const QString sheet = "out/views/test1_worst.png";
+  const QSize one(40, 30);
+  const int em = 13, gap = em / 2, top = 3 * em / 2;
+  const QSize whole(3 * one.width() + 4 * gap + 4 * em, one.height() + 2 * em);
+  const auto pixels = valuesOf<std::uint8_t>(sheet);
+  QCOMPARE(pixels.size(), std::size_t(3 * whole.width() * whole.height()));
+  const auto at = [](const std::vector<std::uint8_t>& rgb, int width, int x, int y) {
+    return std::array{rgb[3 * std::size_t(y * width + x)], rgb[3 * std::size_t(y * width + x) + 1],
+                      rgb[3 * std::size_t(y * width + x) + 2]};
+  };
+  std::array<std::vector<std::uint8_t>, 2> shown;
+  shown[0] = valuesOf<std::uint8_t>("out/views/test1_worst_reference.png");
+  shown[1] = valuesOf<std::uint8_t>("out/views/test1_worst_test.png");
+  int same = 0, different = 0;
+  for (int y = 0; y < one.height(); ++y)
+    for (int x = 0; x < one.width(); ++x) {
+      std::array<std::array<std::uint8_t, 3>, 2> colours;
+      for (int k = 0; k < 2; ++k) {
+        colours[std::size_t(k)] = at(shown[std::size_t(k)], one.width(), x, y);
+        QVERIFY(at(pixels, whole.width(), gap + k * (one.width() + gap) + x, top + y) ==
+                colours[std::size_t(k)]);
+      }
+      const auto error = at(pixels, whole.width(), gap + 2 * (one.width() + gap) + x, top + y);
+      const bool isZero = error == falseColour(0);
+      if (colours[0] == colours[1]) QVERIFY(isZero);
+      ++(isZero ? same : different);
+    }
+  QVERIFY(same > 0 && different > 100);
+}
+
+/// A reference of JPEG is told, on the terminal and in the page; tests of JPEG are not.
+void TestReport::lossyReference() {
+  writeImageFile("j.jpg", 128, 128, noisy);
+  writeFile("j.json", text({.display = R"({"hogels": [16, 16], "directions": [8, 8]})",
+                            .lightField = R"({"file": "j.jpg"})",
+                            .cameras = cameras}));
+  const char* const words = "the reference is itself a lossy file (JPEG, ";
+  const Outcome lossy = run({"--report", "--session", "j.json", "--test", "b.png", "--output", "j"},
+                            m_folder->path());
+  QVERIFY2(lossy.status == 0 && lossy.err.contains(words), lossy.err);
+  QVERIFY(contentOf("j/report.html").contains(words));
+  const Outcome good = report({"--test", "j.jpg"});
+  QVERIFY2(good.status == 0 && !good.err.contains("lossy"), good.err);
+  QVERIFY(!contentOf("out/report.html").contains("lossy"));
 }
 
 /// It can be mailed: nothing of it lies elsewhere.

@@ -49,6 +49,7 @@ class TestMetricPlugins : public QObject {
   void initTestCase();
   void columnsOfTheSet();
   void inEveryFile();
+  void bothFigures();
   void areTold_data();
   void areTold();
   void aReportGoesOn();
@@ -88,6 +89,12 @@ void TestMetricPlugins::columnsOfTheSet() {
   QVERIFY(metrics.means().back().isQuality);  // bd.csv has it
   QCOMPARE(metrics.means().back().column, metrics.columns().size() - 1);
   QCOMPARE(metricsOf({}).columns().size(), standard.columns().size());
+  const MetricSet flip = metricsOf({"flip"});
+  QCOMPARE(flip.columns()[standard.columns().size()].name, std::string("flip"));
+  QCOMPARE(flip.columns().back().name, std::string("flip_seen"));
+  QCOMPARE(flip.means().back().name, std::string("mean_flip_seen"));
+  QVERIFY(flip.means().back().isSeen && flip.isHeadline(flip.means().size() - 1));
+  QVERIFY(!flip.isHeadline(flip.means().size() - 2));
   QCOMPARE(errorOf([] { (void)metricsOf({"example"}); }),
            "plugin example: has no metric; its plugin.json says what it has");
 }
@@ -120,6 +127,32 @@ void TestMetricPlugins::inEveryFile() {
   QVERIFY(page.contains("MS\u2011SSIM") && page.contains("mean MS\u2011SSIM"));
   QVERIFY(!contentOf("plain/report.html").contains("MS\u2011SSIM"));
   QVERIFY(!contentOf("plain/metrics.csv").contains("ms_ssim"));
+}
+
+/// FLIP of a report, over the frame and over what is seen, is the plugin's own with the state's
+/// pixels per degree.
+void TestMetricPlugins::bothFigures() {
+  const Outcome made =
+      report({"--output", "flip", "--images", "--set", "metrics=[\"flip\"]"}, m_folder.path());
+  QVERIFY2(made.status == 0, made.err);
+  const Session session = loadSession(sampleSession.toStdString(), {"camera.res=[200,170]"});
+  const ViewSource scene = loadViewSource(session, {});
+  const auto metric = loadPlugin("flip", PluginKind::metric).makeMetric();
+  for (int k = 0; k < 3; ++k) {
+    const QString name = QString("/Fig %1.png").arg(k + 1);
+    const auto reference = bytesOf("flip/reference" + name);
+    const auto test = bytesOf("flip/test1" + name);
+    const CameraState& state = session.cameras[std::size_t(k)];
+    const Viewing viewing = viewingOf(state, scene.display, session.sampling.mapping);
+    Renderer renderer;
+    const std::vector<std::uint8_t> seen = renderer.render(scene.job(state)).seen;
+    const plugin::Figures figures =
+        metric->compareBoth({200, 170, reference, {}, seen}, {200, 170, test, {}, seen},
+                            {viewing.pixelsPerDegree, viewing.distance});
+    QVERIFY(figures.frame > 0.001 && figures.seen > figures.frame);
+    QVERIFY(says(columnOf("flip/metrics.csv", "flip").value(k), figures.frame));
+    QVERIFY(says(columnOf("flip/metrics.csv", "flip_seen").value(k), figures.seen));
+  }
 }
 
 void TestMetricPlugins::areTold_data() {

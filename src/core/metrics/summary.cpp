@@ -93,18 +93,19 @@ std::string worstRow(const TestSummary& summary, std::optional<std::size_t> wors
 }
 
 std::string block(const TestSummary& summary, const MetricSet& metrics) {
-  const std::vector<double>& plain = summary.summary.means;
-  const std::vector<double>& weighted = summary.summary.weighted;
+  const MeansOfTest plain = summary.means(false);
+  const MeansOfTest weighted = summary.means(true);
   std::string text =
       figureRow(summary, "views", {double(summary.rows.size())}) +
       figureRow(summary, "identical_views", {double(summary.summary.identical)}) +
       figureRow(summary, "views_without_comparison", {double(summary.summary.withoutView)});
-  for (std::size_t k = 0; k < plain.size(); ++k) {
-    const Interval& interval = summary.intervals[k];
-    const Interval& other = summary.intervals[k + plain.size()];
-    text += figureRow(summary, metrics.means()[k].name,
-                      {plain[k], interval.low, interval.high, weighted[k], other.low, other.high},
-                      regionOf(metrics.means()[k].isSeen));
+  for (std::size_t k = 0; k < plain.values.size(); ++k) {
+    const Interval& interval = plain.intervals[k];
+    const Interval& other = weighted.intervals[k];
+    text += figureRow(
+        summary, metrics.means()[k].name,
+        {plain.values[k], interval.low, interval.high, weighted.values[k], other.low, other.high},
+        regionOf(metrics.means()[k].isSeen));
   }
   text += worstRow(summary, summary.summary.worstFrame, false) +
           worstRow(summary, summary.summary.worst, true);
@@ -119,24 +120,28 @@ struct BdPair {
   std::size_t mean = 0;  ///< of the means, or, above their number, of the weighted ones
 };
 
-/// The curves of the groups, from the means of all tests.
+/// The curves of the groups, from the means of all their tests.
 class RateCurves {
  public:
   RateCurves(const std::vector<TestSummary>& summaries, const MetricSet& metrics,
              const std::vector<RateGroup>& groups)
-      : m_metrics(metrics), m_groups(groups) {
-    for (const RateGroup& group : groups)
+      : m_metrics(metrics) {
+    for (const RateGroup& group : groups) {
+      std::vector<Place>& curve = m_curves.emplace_back();
       for (const TestRate& rate : group.tests) {
         const auto found = std::ranges::find(summaries, rate.test, &TestSummary::test);
-        if (found == summaries.end()) continue;
+        if (found == summaries.end()) {
+          curve.push_back({rate.rate, std::nullopt});
+          continue;
+        }
+        curve.push_back({rate.rate, m_tests.size()});
         m_tests.push_back(&*found);
-        m_names.push_back(rate.test);
       }
+    }
   }
 
   [[nodiscard]] bool haveWeights() const {
-    return std::ranges::any_of(
-        m_tests, [](const TestSummary* test) { return hogelscope::haveWeights(test->rows); });
+    return std::ranges::any_of(m_tests, &TestSummary::hasWeights);
   }
   /// Returns the sums of each state, those of all tests side by side. None if a test has not all
   /// states.
@@ -155,16 +160,15 @@ class RateCurves {
   /// Returns the means of all tests, plain ones and weighted ones.
   [[nodiscard]] std::vector<double> means() const {
     std::vector<double> all;
-    for (const TestSummary* test : m_tests) {
-      std::ranges::copy(test->summary.means, std::back_inserter(all));
-      std::ranges::copy(test->summary.weighted, std::back_inserter(all));
-    }
+    for (const TestSummary* test : m_tests)
+      for (const bool isWeighted : {false, true})
+        std::ranges::copy(test->means(isWeighted).values, std::back_inserter(all));
     return all;
   }
   /// Compares by the means of all tests.
   [[nodiscard]] BdDelta deltaOf(const BdPair& pair, const std::vector<double>& means) const {
-    std::vector<RatePoint> anchor = curveOf(m_groups[pair.anchor], pair.mean, means);
-    std::vector<RatePoint> test = curveOf(m_groups[pair.group], pair.mean, means);
+    std::vector<RatePoint> anchor = curveOf(pair.anchor, pair.mean, means);
+    std::vector<RatePoint> test = curveOf(pair.group, pair.mean, means);
     const bool isError = m_metrics.means()[pair.mean % m_metrics.means().size()].mayFall &&
                          doesFall(anchor) && doesFall(test);
     if (!isError) return bdDelta(std::move(anchor), std::move(test));
@@ -177,21 +181,24 @@ class RateCurves {
   }
 
  private:
-  [[nodiscard]] std::vector<RatePoint> curveOf(const RateGroup& group, std::size_t mean,
+  /// A test of a group: its rate, and its number among all tests, if it has a summary.
+  struct Place {
+    double rate = 0;
+    std::optional<std::size_t> test;
+  };
+
+  [[nodiscard]] std::vector<RatePoint> curveOf(std::size_t group, std::size_t mean,
                                                const std::vector<double>& means) const {
     const std::size_t count = 2 * m_metrics.means().size();
     std::vector<RatePoint> points;
-    for (const TestRate& rate : group.tests) {
-      const auto at = std::size_t(std::ranges::find(m_names, rate.test) - m_names.begin());
-      points.push_back({rate.rate, at < m_names.size() ? means[at * count + mean] : unknownFigure});
-    }
+    for (const auto& [rate, test] : m_curves[group])
+      points.push_back({rate, test ? means[*test * count + mean] : unknownFigure});
     return points;
   }
 
   const MetricSet& m_metrics;
-  const std::vector<RateGroup>& m_groups;
+  std::vector<std::vector<Place>> m_curves;  ///< of each group
   std::vector<const TestSummary*> m_tests;
-  std::vector<std::string> m_names;
 };
 
 /// Returns the comparisons in the order of bdRows().
@@ -259,9 +266,14 @@ std::vector<TestSummary> summariseTests(const std::vector<ReportRow>& rows,
   return summaries;
 }
 
-bool haveWeights(const std::vector<ReportRow>& rows) {
+bool TestSummary::hasWeights() const {
   return std::ranges::any_of(
       rows, [&](const ReportRow& row) { return row.weight != rows.front().weight; });
+}
+
+MeansOfTest TestSummary::means(bool isWeighted) const {
+  const std::vector<double>& values = isWeighted ? summary.weighted : summary.means;
+  return {values, std::span(intervals).subspan(isWeighted ? values.size() : 0, values.size())};
 }
 
 std::vector<BdRow> bdRows(const std::vector<TestSummary>& summaries, const MetricSet& metrics,

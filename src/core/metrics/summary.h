@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -26,6 +27,12 @@ struct ReportSummary {
 
 ReportSummary summariseRows(const std::vector<ReportRow>& rows, const MetricSet& metrics);
 
+/// Means of a test with their intervals, in the order of MetricSet::means().
+struct MeansOfTest {
+  const std::vector<double>& values;
+  std::span<const Interval> intervals;
+};
+
 /// A block of summary.csv.
 struct TestSummary {
   std::string test;  ///< "all tests" for the last block
@@ -34,6 +41,9 @@ struct TestSummary {
   /// 95 % intervals of the means, then of the weighted means.
   std::vector<Interval> intervals;
   std::optional<double> rate;  ///< bits per directional pixel
+
+  [[nodiscard]] bool hasWeights() const;  ///< whether weighted means are others than plain ones
+  [[nodiscard]] MeansOfTest means(bool isWeighted) const;
 };
 
 /// A test light field's bits per directional pixel.
@@ -69,9 +79,6 @@ std::vector<std::string> testsOf(const std::vector<ReportRow>& rows);
 std::vector<TestSummary> summariseTests(const std::vector<ReportRow>& rows,
                                         const MetricSet& metrics,
                                         const std::vector<RateGroup>& groups = {});
-
-/// Whether the rows' weights differ, so that weighted means are others than plain ones.
-bool haveWeights(const std::vector<ReportRow>& rows);
 
 /// Compares every group with each earlier one by each mean that is a quality, those over seen
 /// pixels first; with weights, by the weighted means first, then by the plain ones. An error that

@@ -11,7 +11,7 @@ from . import _hogelscope
 from ._content import array_of
 from ._view import View
 
-Picture = Union[View, np.ndarray, Any]
+Picture = Any  # a View, or what numpy makes an array of
 
 
 _Parts = Tuple[np.ndarray, np.ndarray, Optional[np.ndarray]]
@@ -21,10 +21,7 @@ def _parts(picture: Picture) -> _Parts:
     if isinstance(picture, View):
         image, seen = np.ascontiguousarray(picture.image), np.ascontiguousarray(picture.seen)
         return image, seen, picture.values
-    try:
-        array = array_of(picture)
-    except TypeError:
-        raise TypeError(f"a picture is a View or an array, not {type(picture).__name__}") from None
+    array = array_of(picture)
     return np.ascontiguousarray(array), np.ones(array.shape[:2], np.uint8), None
 
 

@@ -25,11 +25,17 @@ Metric = Callable[
 
 
 def named_states(states: Iterable[Any]) -> List[Any]:
-    """States with a name: "view N" for the N-th that has none, from 1."""
-    return [
-        {"name": f"view {k}", **state} if isinstance(state, Mapping) and "name" not in state else state
-        for k, state in enumerate(states, 1)
-    ]
+    """States with a name: "view N" for the N-th that has none, from 1, or the next free N."""
+    named = list(states)
+    known = {state["name"] for state in named if isinstance(state, Mapping) and "name" in state}
+    for k, state in enumerate(named):
+        if isinstance(state, Mapping) and "name" not in state:
+            number = k + 1
+            while f"view {number}" in known:
+                number += 1
+            known.add(f"view {number}")
+            named[k] = {"name": f"view {number}", **state}
+    return named
 
 
 class Session(Dict[str, Any]):
@@ -103,8 +109,7 @@ class Session(Dict[str, Any]):
 
     def _check_mapping(self) -> None:
         """A mapping may lack its light field, which calls can give, and its states."""
-        own = self.get("cameras")
-        states = None if own or own is not None and not isinstance(own, list) else [{"name": "any"}]
+        states = [{"name": "any"}] if self.get("cameras", []) == [] else None
         _hogelscope.check(self._document(states, "lightField" in self))
 
     def _read(self, text: str) -> None:
@@ -238,7 +243,7 @@ class Session(Dict[str, Any]):
         if state is not None and all(isinstance(one, str) for one in wanted):
             names = wanted
         elif state is not None:
-            cameras = [self._state(one, k) for k, one in enumerate(wanted)]
+            cameras = [self._state(one) for one in wanted]
         if state is not None and not wanted:
             return []
         if self._views is None:
@@ -253,9 +258,9 @@ class Session(Dict[str, Any]):
             view._inputs = [*inputs, self.name]
         return views[0] if is_one and focus_stack is None else views
 
-    def _state(self, state: Any, index: int) -> Any:
+    def _state(self, state: Any) -> Any:
         if isinstance(state, Mapping):
-            return {"name": f"view {index + 1}", **state}
+            return state
         own = self.get("cameras", [])
         if not isinstance(own, list) or not all(isinstance(one, Mapping) for one in own):
             raise InputError("cameras: is not a list of camera states: [ { … }, … ]")

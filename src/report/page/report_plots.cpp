@@ -259,10 +259,10 @@ struct PlottedMean {
   bool isWeighted = false;
 
   [[nodiscard]] double of(const TestSummary& test) const {
-    return (isWeighted ? test.summary.weighted : test.summary.means)[index];
+    return test.means(isWeighted).values[index];
   }
   [[nodiscard]] const Interval& intervalOf(const TestSummary& test) const {
-    return test.intervals[index + (isWeighted ? test.summary.means.size() : 0)];
+    return test.means(isWeighted).intervals[index];
   }
 };
 
@@ -373,8 +373,7 @@ std::vector<Figure> cameraFigures(const std::vector<ReportRow>& rows, std::size_
 std::vector<Figure> rateFigures(const std::vector<TestSummary>& summaries, const MetricSet& metrics,
                                 const std::vector<RateGroup>& groups) {
   if (groups.empty()) return {};
-  const bool isWeighted = std::ranges::any_of(
-      summaries, [](const TestSummary& test) { return haveWeights(test.rows); });
+  const bool isWeighted = std::ranges::any_of(summaries, &TestSummary::hasWeights);
   std::vector<Figure> figures;
   for (std::size_t k = 0; k < metrics.means().size(); ++k) {
     if (!metrics.means()[k].isQuality || !metrics.isHeadline(k)) continue;

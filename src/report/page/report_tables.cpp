@@ -62,8 +62,7 @@ std::string rateText(const TestSummary& test) {
 
 std::string tableRow(const TestSummary& test, const std::string& name, const MeansTable& table,
                      bool isWeighted) {
-  const std::vector<double>& means = isWeighted ? test.summary.weighted : test.summary.means;
-  const Interval* intervals = &test.intervals[isWeighted ? means.size() : 0];
+  const auto& [means, intervals] = test.means(isWeighted);
   std::string text = "<tr><td>" + escaped(name) + (isWeighted ? ", weighted" : "") + "</td>";
   if (table.hasRates) text += cell(rateText(test));
   for (std::size_t k = 0; k < means.size(); ++k)
@@ -95,7 +94,7 @@ std::string tableOf(const std::vector<TestSummary>& summaries, const MeansTable&
   text += "</tr></thead>\n<tbody>\n";
   const std::vector<std::string> names = namesOf(summaries);
   for (std::size_t k = 0; k < names.size(); ++k) {
-    if (haveWeights(summaries[k].rows)) text += tableRow(summaries[k], names[k], table, true);
+    if (summaries[k].hasWeights()) text += tableRow(summaries[k], names[k], table, true);
     text += tableRow(summaries[k], names[k], table, false);
   }
   return text + "</tbody></table></div>\n";
@@ -112,9 +111,8 @@ std::string latexOf(const std::vector<TestSummary>& summaries, const MeansTable&
   const std::vector<std::string> names = namesOf(summaries);
   for (std::size_t test = 0; test < names.size(); ++test) {
     const TestSummary& of = summaries[test];
-    const bool isWeighted = haveWeights(of.rows);
-    const std::vector<double>& means = isWeighted ? of.summary.weighted : of.summary.means;
-    const Interval* intervals = &of.intervals[isWeighted ? means.size() : 0];
+    const bool isWeighted = of.hasWeights();
+    const auto& [means, intervals] = of.means(isWeighted);
     rows.push_back({names[test] + (isWeighted ? ", weighted" : "")});
     if (table.hasRates) rows.back().push_back(rateText(of));
     for (std::size_t k = 0; k < means.size(); ++k) {
@@ -145,8 +143,8 @@ std::string stateRow(const ReportRow& row, const std::string& test, const Metric
 }
 
 MeansTable meansTableOf(const std::vector<TestSummary>& summaries, const MetricSet& metrics,
-                        bool isSeen) {
-  return {metrics, isSeen, summaries.back().summary.withoutView > 0,
+                        bool isHeadlines) {
+  return {metrics, isHeadlines, summaries.back().summary.withoutView > 0,
           std::ranges::any_of(summaries,
                               [](const TestSummary& test) { return test.rate.has_value(); })};
 }
@@ -200,9 +198,8 @@ std::string testsText(const std::vector<TestSummary>& summaries) {
   const std::vector<std::string> names = namesOf(summaries);
   for (std::size_t k = 0; k < names.size(); ++k) {
     const TestSummary& test = summaries[k];
-    const bool isWeighted = haveWeights(test.rows);
-    const std::vector<double>& means = isWeighted ? test.summary.weighted : test.summary.means;
-    const Interval* intervals = &test.intervals[isWeighted ? means.size() : 0];
+    const bool isWeighted = test.hasWeights();
+    const auto& [means, intervals] = test.means(isWeighted);
     text += printable(names[k]) + ": " + (test.rate ? rateText(test) + " bits, " : "") +
             (isWeighted ? "weighted " : "") + "mean PSNR " +
             withRange(means[meanPsnrSeen], intervals[meanPsnrSeen], 2,
