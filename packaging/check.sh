@@ -1,10 +1,11 @@
 #!/bin/sh
-# Checks the style, builds Hogelscope, runs all its tests and checks its Debian packages.
+# Checks the style, builds Hogelscope, runs its tests and checks its Debian packages. --all also
+# runs the tests with the label slow, some of which take a minute.
 set -eu
 cd "$(dirname "$0")/.."
 packaging/install.sh packaging/style-packages.txt
 packaging/style.sh
 packaging/build.sh
-ctest --preset release
+if [ "${1:-}" = --all ]; then ctest --preset release; else ctest --preset release -LE slow; fi
 packaging/deb.sh
 packaging/check_files.sh

@@ -81,6 +81,11 @@ std::vector<Flag> outputsOfStates() {
            .jobs = {render},
            .help = "In place of what the display shows: what the eye would see of the session's "
                    "live scene itself through the panel."},
+          {.name = "undistort",
+           .jobs = {render},
+           .help = "Of each state with a distortion also DIR/<name>.undistorted.png, its view "
+                   "without the lens, <name>.undistorted-opencv.png, its picture straightened by "
+                   "OpenCV, and <name>.undistortion.png, the difference of the two."},
           {.name = "stereo",
            .value = "MODE",
            .jobs = {render},

@@ -102,18 +102,24 @@ const std::vector<Job>& jobs() {
        .run = runPack},
       {.command = Command::exportAs,
        .name = "export",
-       .value = "hogels|views|quilt|mosaic|pack",
-       .help = "Writes the session's light field, of any layout or live, as hogels (one image), "
-               "views (a folder), quilt, mosaic (one image of all views) or pack (a store).",
+       .value = "hogels|views|quilt|mosaic|pack|rig",
+       .help =
+           "Writes the session's light field, of any layout or live, as hogels (one image), "
+           "views (a folder), quilt, mosaic (one image of all views) or pack (a store); or as rig "
+           "the cameras that take its views, FILE.json and FILE.gltf.",
        .details = "Values keep their type: 8 or 16 bits or floats, which need .exr or .tif. What a "
                   "live scene becomes gives the same pictures as the scene itself. Only a light "
                   "field that is a store or live may be larger than memory for views, quilt "
                   "and mosaic. "
-                  "After a stop pack goes on where it was.",
+                  "After a stop pack goes on where it was. A rig needs "
+                  "lightField.viewingDistance, and no light field if the display has hogels and "
+                  "directions.",
        .examples = "  hogelscope --export hogels --session live.json --output hogels.png\n"
                    "  hogelscope --export pack --session live.json --output store.tif\n"
                    "  hogelscope --export quilt --session live.json --output room_qs8x6a1.png \\\n"
-                   "             --set display.directions=[48,1]\n",
+                   "             --set display.directions=[48,1]\n"
+                   "  hogelscope --export rig --session s.json --output rig.json \\\n"
+                   "             --set lightField.viewingDistance=0.6\n",
        .run = runExport},
       {.command = Command::tradeoff,
        .name = "tradeoff",

@@ -22,6 +22,7 @@ namespace hogelscope {
 /// | scale, origin | a factor; metres         |                 | share of pixels that differ |
 /// | pupil_focus   | the distance of focus, m | samples         | share of pixels that differ |
 /// | pupil_width   | the pupil's diameter, m  | samples         | share of pixels that differ |
+/// | undistortion  | factor of the lens       |                 | dB                          |
 struct InstabilityRow {
   std::string kind;
   std::string method;

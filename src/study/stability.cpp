@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "study/stability.h"
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "core/base/text.h"
 #include "core/engine/plan.h"
+#include "study/undistortion.h"
 
 namespace hogelscope {
 
@@ -88,6 +91,8 @@ Stability measureStability(const std::vector<NamedLens>& lenses, const ParallelR
     from += mapShare;
   }
   result.instabilities = measureInstabilities(parallelRows, part(heard, from, 1));
+  std::ranges::move(undistortionErrors(parallelRows, part(heard, 1, 1)),
+                    std::back_inserter(result.instabilities));
   return result;
 }
 

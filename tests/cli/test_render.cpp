@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Tests --render: its pictures are the reference engine's, in every format, and go where they
 // should.
+#include <QRegularExpression>
 #include <QTemporaryDir>
 #include <QTest>
 #include <QThread>
 
+#include "study/undistortion.h"
 #include "tests/cli/program.h"
 #include "tests/cli/views.h"
 #include "tests/io/any_images.h"
@@ -53,6 +55,9 @@ class TestRender : public QObject {
   void threadsBeyondReason();
   void quietIsSilent();
   void overrides();
+  void undistorts();
+  void undistortsNothing_data();
+  void undistortsNothing();
   void warnsOfCutWindows();
   void outputIsMade();
   void outputIsNoFolder_data();
@@ -213,6 +218,55 @@ void TestRender::overrides() {
   const Image expected = simulated(session)[0];
   QCOMPARE(expected.width, 40);
   QVERIFY(valuesOf<std::uint8_t>("out/Fig 1.png") == expected.rgb);
+}
+
+/// Beside a state's picture the one without its lens, OpenCV's, and their difference.
+void TestRender::undistorts() {
+  const Outcome outcome = render({"--undistort", "--masks", "--states", "Fig [34]"});
+  QCOMPARE(outcome.err, QByteArray());
+  QVERIFY2(QRegularExpression("^Fig 3: OpenCV's picture without the lens: PSNR [0-9.]+ dB over "
+                              "[0-9.]+ % of the pixels, difference × [0-9]+\n"
+                              "5 picture\\(s\\) in out\n$")
+               .match(QString::fromUtf8(outcome.out))
+               .hasMatch(),
+           outcome.out);
+  QStringList names{"Fig 3.mask.png",
+                    "Fig 3.png",
+                    "Fig 3.undistorted-opencv.png",
+                    "Fig 3.undistorted.mask.png",
+                    "Fig 3.undistorted.png",
+                    "Fig 3.undistortion.png",
+                    "Fig 4.mask.png",
+                    "Fig 4.png"};
+  names.sort();
+  QCOMPARE(namesIn("out"), names);
+  QVERIFY(valuesOf<std::uint8_t>("out/Fig 3.png") == m_expected[2].rgb);
+  Session session = m_session;
+  session.cameras[2].distortion = {};
+  const Image plain = simulated(session)[2];
+  QVERIFY(valuesOf<std::uint8_t>("out/Fig 3.undistorted.png") == plain.rgb);
+  QVERIFY(valuesOf<std::uint8_t>("out/Fig 3.undistorted-opencv.png") ==
+          undistortedByOpenCv(m_expected[2], m_session.cameras[2]).rgb);
+  QVERIFY(valuesOf<std::uint8_t>("out/Fig 3.undistortion.png") ==
+          compareUndistortion(m_expected[2], plain, m_session.cameras[2]).difference.image.rgb);
+}
+
+void TestRender::undistortsNothing_data() {
+  QTest::addColumn<QStringList>("more");
+  QTest::addColumn<QByteArray>("line");
+  QTest::newRow("plain lenses") << QStringList{"--states", "Fig [456]"}
+                                << QByteArray("no state has a distortion");
+  QTest::newRow("floats") << QStringList{"--format", "exr"}
+                          << QByteArray("compares PNG pictures of one eye: leave out --format");
+}
+
+void TestRender::undistortsNothing() {
+  QFETCH(QStringList, more);
+  QFETCH(QByteArray, line);
+  const Outcome outcome = render(QStringList{"--undistort"} + more);
+  QCOMPARE(outcome.err, "hogelscope: --undistort: " + line + "\n");
+  QCOMPARE(outcome.status, 2);
+  QCOMPARE(namesIn("."), QStringList());
 }
 
 void TestRender::warnsOfCutWindows() {

@@ -264,7 +264,8 @@ void TestStability::tableHasItsColumns() {
     QCOMPARE(sum, cells[3].toInt());
   }
   QCOMPARE(kinds, QStringList({"lens", "k1_k2", "p1_p2", "psf_gain", "psnr_mean", "near_panel",
-                               "grazing", "scale", "origin", "pupil_focus", "pupil_width"}));
+                               "grazing", "scale", "origin", "pupil_focus", "pupil_width",
+                               "undistortion"}));
 }
 
 void TestStability::stops() {

@@ -8,22 +8,62 @@
 #include "cli/terminal.h"
 #include "core/base/error.h"
 #include "core/base/text.h"
+#include "io/documents/rig_file.h"
+#include "io/documents/session_file.h"
+#include "io/files/atomic_file.h"
 #include "io/files/folders.h"
 #include "io/scene/light_field_export.h"
 #include "io/scene/view_source.h"
 
 namespace hogelscope {
 
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Returns the session's display; the light field is opened only if it has to say the display's
+/// hogels or directions: a rig is made before its content.
+PanelParams panelOf(const Session& session) {
+  const PanelParams display = displayOf(session);
+  const auto isGiven = [](const std::array<int, 2>& counts) { return counts[0] * counts[1] > 0; };
+  if (isGiven(display.hogels) && isGiven(display.directions)) return display;
+  return resolved(display, openLightField(session.lightField, session.display)->size());
+}
+
+int exportRig(const Session& session, const CommandLine& line) {
+  keepSession(line, session);
+  const fs::path output = line.text("output");
+  const fs::path gltf = fs::path(output).replace_extension(".gltf");
+  if (gltf == output)
+    throw InputError("--output " + output.string(),
+                     "is the name of the glTF file beside the rig: end it in .json");
+  checkOutputs({output, gltf}, {line.text("session"), session.lightField.file});
+  const std::vector<RigCamera> rig =
+      inFile(line.text("session"), [&] { return rigOf(panelOf(session)); });
+  makeFolderOf(output);
+  writeTextFile(output, rigText(rig));
+  writeTextFile(gltf, rigGltf(rig));
+  if (!line.has("quiet"))
+    std::cout << printable(output.string()) << ", " << printable(gltf.string()) << ": "
+              << rig.size() << " camera(s)\n";
+  return 0;
+}
+
+}  // namespace
+
 int runExport(const CommandLine& line) {
+  if (line.subject == "rig" && isSessionDocument(line.text("session")))
+    return exportRig(loadSession(line.text("session"), line.texts("set")), line);
   const Session session = loadSessionOf(line);
+  if (line.subject == "rig") return exportRig(session, line);
   keepSession(line, session);
   if (line.subject == "pack") return packContent(session, true, line);
   const auto isTo = [&line](const char* layout) { return line.subject == layout; };
   const bool isQuilt = isTo("quilt");
   if (!isTo("hogels") && !isTo("views") && !isQuilt && !isTo("mosaic"))
-    throw InputError("--export",
-                     "\"" + line.subject + "\" is not one of hogels, views, quilt, mosaic, pack");
-  const std::filesystem::path output = line.text("output");
+    throw InputError("--export", "\"" + line.subject +
+                                     "\" is not one of hogels, views, quilt, mosaic, pack, rig");
+  const fs::path output = line.text("output");
   const auto file = openLightField(session.lightField, session.display);
   checkOutputs({output}, inputFiles({line.text("session")}, session, *file));
   std::array<int, 2> tiles{};

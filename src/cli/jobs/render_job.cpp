@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // --render: one image for each camera state.
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <iostream>
 #include <iterator>
@@ -24,6 +25,7 @@
 #include "io/files/system_limits.h"
 #include "io/images/image_writer.h"
 #include "io/images/video_writer.h"
+#include "study/undistortion.h"
 
 namespace hogelscope {
 
@@ -31,12 +33,18 @@ namespace fs = std::filesystem;
 
 namespace {
 
+bool isDistorted(const CameraState& state) {
+  return !Distortion(state.distortion).isIdentity();
+}
+
 /// A file of the results, and the camera states that it shows: both eyes of a stereo picture,
 /// otherwise one.
 struct Picture {
   std::string name;  ///< the file's, without an ending
   std::vector<CameraState> eyes;
   double focus = 0;  ///< metres, of a focus stack
+  /// Whether it is the picture before it without the lens, and has two more files: --undistort.
+  bool isUndistorted = false;
 };
 
 /// The files of all states and the text of --explain.
@@ -49,6 +57,7 @@ struct RenderOutput {
   bool isIdeal = false;
   std::optional<StereoMode> stereo = {};
   std::optional<VideoWriter> video = {};
+  bool isUndistorting = false;
 
   [[nodiscard]] fs::path file(const std::string& name, const std::string& ending) const {
     return folder / (name + "." + ending);
@@ -62,8 +71,31 @@ struct RenderOutput {
       files.push_back(file(picture.name, format));
       for (std::size_t eye = 0; hasMasks && eye < picture.eyes.size(); ++eye)
         files.push_back(file(maskName(picture, eye), "mask.png"));
+      if (!picture.isUndistorted) continue;
+      files.push_back(openCvsFile(picture));
+      files.push_back(differenceFile(picture));
     }
     return files;
+  }
+  [[nodiscard]] fs::path openCvsFile(const Picture& undistorted) const {
+    return file(undistorted.name + "-opencv", format);
+  }
+  [[nodiscard]] fs::path differenceFile(const Picture& undistorted) const {
+    return folder / fs::path(undistorted.name).replace_extension("undistortion." + format);
+  }
+
+  /// Writes OpenCV's straightened picture and its difference; returns a line about it.
+  [[nodiscard]] std::string writeUndistortion(const Image& distorted, const CameraState& state,
+                                              const Picture& picture, const Image& image) const {
+    const Undistortion result = compareUndistortion(distorted, image, state);
+    const auto& [openCvs, difference, psnr, points] = result;
+    writeImage(openCvsFile(picture), openCvs.width, openCvs.height, openCvs.rgb);
+    writeImage(differenceFile(picture), openCvs.width, openCvs.height, difference.image.rgb);
+    const double share = double(points) / double(openCvs.pixelCount());
+    return printable(state.camera.name) + ": OpenCV's picture without the lens: PSNR " +
+           rounded(psnr, 2) + (std::isfinite(psnr) ? " dB" : "") + " over " +
+           rounded(100 * share, 1) + " % of the pixels, difference × " +
+           std::to_string(difference.gain) + "\n";
   }
 
   /// Writes the images of a picture's eyes, each an Image or a FloatImage; returns what was
@@ -105,6 +137,7 @@ std::vector<Picture> picturesOf(const CameraState& head, const DisplayParams& di
 struct Pictures {
   std::vector<Picture> all;
   std::vector<std::pair<std::string, std::string>> tables;  ///< files of focus stacks, and texts
+  std::size_t undistorted = 0;                              ///< pictures without their lens
 
   Pictures(const Session& session, const PanelParams& display, int stackCount,
            const RenderOutput& output) {
@@ -117,7 +150,15 @@ struct Pictures {
           picturesOf(state, session.display, distances, output.stereo.has_value());
       if (stackCount > 0)
         tables.emplace_back(state.camera.name + ".focus.csv", tableOf(own, output));
-      std::ranges::move(own, std::back_inserter(all));
+      for (Picture& picture : own) {
+        all.push_back(picture);
+        if (!output.isUndistorting || !isDistorted(picture.eyes[0])) continue;
+        picture.name += ".undistorted";
+        picture.eyes[0].distortion = {};
+        picture.isUndistorted = true;
+        all.push_back(picture);
+        ++undistorted;
+      }
     }
   }
 
@@ -140,8 +181,10 @@ struct Pictures {
 };
 
 /// Writes all pictures; for PNG without a video, continues after one that cannot be rendered.
-void renderAll(LightFieldFile& file, const Session& session, const std::vector<Picture>& pictures,
-               RenderOutput& output, const Progress& progress) {
+/// Returns lines about them.
+std::string renderAll(LightFieldFile& file, const Session& session,
+                      const std::vector<Picture>& pictures, RenderOutput& output,
+                      const Progress& progress) {
   const bool isStreamed = mustStream(file, allowedMemory());
   if (isStreamed && output.format != "png")
     throw InputError("--format " + output.format,
@@ -156,6 +199,8 @@ void renderAll(LightFieldFile& file, const Session& session, const std::vector<P
   Renderer renderer;
   const double each = (1 - reading) / double(session.cameras.size());
   std::optional<InputError> first;
+  std::optional<Image> before;  // the image of the picture before, for --undistort
+  std::string lines;
   std::size_t state = 0;
   const auto progressOf = [&](std::size_t k) {
     return part(progress, reading + double(k) * each, reading + double(k + 1) * each);
@@ -176,13 +221,18 @@ void renderAll(LightFieldFile& file, const Session& session, const std::vector<P
     } catch (const InputError& error) {
       if (output.video) throw InputError(picture.name, error.what());
       if (!first) first.emplace(picture.name, error.what());
+      before.reset();
       continue;
     }
-    const Image image = output.write(picture, eyes);
+    Image image = output.write(picture, eyes);
+    if (picture.isUndistorted && before)
+      lines += output.writeUndistortion(*before, session.cameras[begin - 1], picture, image);
     if (output.video) output.video->add(image.rgb, progressOf(begin));
+    if (output.isUndistorting) before = std::move(image);
   }
   if (output.video) output.video->finish(progress);
   if (first) throw *first;
+  return lines;
 }
 
 /// Keeps the shard's share of the states, which may be empty.
@@ -226,6 +276,16 @@ void requireVideo(const CommandLine& line, const Session& session) {
     throw InputError("--video", "has pictures of one size, but only some states have two eyes");
 }
 
+/// Throws InputError if other options or the states leave nothing for --undistort.
+void requireUndistortable(const CommandLine& line, const Session& session) {
+  for (const char* other : {"format", "stereo", "video"})
+    if (line.has(other))
+      throw InputError("--undistort",
+                       "compares PNG pictures of one eye: leave out --" + std::string(other));
+  if (std::ranges::none_of(session.cameras, isDistorted))
+    throw InputError("--undistort", "no state has a distortion");
+}
+
 /// Returns the size of a video's pictures.
 std::array<int, 2> sizeOf(const Picture& picture, const RenderOutput& output) {
   auto [width, height] = picture.eyes.front().camera.res;
@@ -241,6 +301,7 @@ int runRender(const CommandLine& line) {
   if (line.has("between"))
     session.cameras = statesAlong({PathKind::between, int(*line.number("between"))}, session, 0);
   if (line.has("video") || line.has("fps")) requireVideo(line, session);
+  if (line.has("undistort")) requireUndistortable(line, session);
   const std::optional<StereoMode> stereo = stereoModeOf(line, session);
   if (const auto shard = shardOf(line)) keepShard(session, *shard);
   // Opened first, so that an invalid file leaves no folder behind.
@@ -252,6 +313,7 @@ int runRender(const CommandLine& line) {
                       line.has("explain"),
                       line.has("ideal"),
                       stereo};
+  output.isUndistorting = line.has("undistort");
   if (output.isIdeal) requireLive(session);
   const PanelParams display = resolved(displayOf(session), file->size());
   const Pictures pictures(session, display, int(line.number("focus-stack").value_or(0)), output);
@@ -272,12 +334,13 @@ int runRender(const CommandLine& line) {
   const bool isQuiet = line.has("quiet");
   announceStreaming(*file, allowedMemory(), isQuiet);
   ProgressBar bar("rendering", isQuiet);
-  renderAll(*file, pictures.sessionOf(session), pictures.all, output, bar.progress());
+  const std::string lines =
+      renderAll(*file, pictures.sessionOf(session), pictures.all, output, bar.progress());
   for (const auto& [name, text] : pictures.tables) writeTextFile(output.folder / name, text);
   bar.done();
   if (!isQuiet)
-    std::cout << pictures.all.size() << " picture(s) in " << printable(output.folder.string())
-              << "\n";
+    std::cout << lines << pictures.all.size() + 2 * pictures.undistorted << " picture(s) in "
+              << printable(output.folder.string()) << "\n";
   return 0;
 }
 

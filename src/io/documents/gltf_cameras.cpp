@@ -26,12 +26,20 @@ Json cameraOf(const CameraState& state) {
   const auto [width, height] = state.camera.res;
   const Vec2 focal = Camera(state.camera, state.intrinsics).focalLength();
   const double nearest = 1e-3;  // metres
-  return {{"name", state.camera.name},
-          {"type", "perspective"},
-          {"perspective",
-           {{"yfov", 2 * std::atan(height / 2.0 / focal.y)},
-            {"aspectRatio", width / focal.x * focal.y / height},
-            {"znear", nearest}}}};
+  Json camera{{"name", state.camera.name},
+              {"type", "perspective"},
+              {"perspective",
+               {{"yfov", 2 * std::atan(height / 2.0 / focal.y)},
+                {"aspectRatio", width / focal.x * focal.y / height},
+                {"znear", nearest}}}};
+  if (!state.intrinsics.isGiven()) return camera;
+  const Vec2 centre = Camera(state.camera, state.intrinsics).centre();
+  camera["extras"] = {{"fx", focal.x},
+                      {"fy", focal.y},
+                      {"cx", centre.x},
+                      {"cy", centre.y},
+                      {"res", {width, height}}};
+  return camera;
 }
 
 }  // namespace

@@ -10,8 +10,9 @@
 namespace hogelscope {
 
 /// Returns a glTF document whose nodes are its meshes, with these names, and a camera for each
-/// state that has a frame. Distortion and principal point are not exported. The document is one
-/// that a library made: damaged JSON throws the parser's exception.
+/// state that has a frame. glTF has no principal points: a camera with intrinsics has them, and its
+/// resolution, in `extras`. Distortion is not exported. The document is one that a library made:
+/// damaged JSON throws the parser's exception.
 std::string withCameras(const std::string& gltf, const std::vector<std::string>& meshNames,
                         const std::vector<CameraState>& states);
 

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "core/base/error.h"
+#include "core/cameras/view_rig.h"
 #include "io/files/atomic_file.h"
 #include "io/images/image_writer.h"
 #include "io/layouts/layouts.h"
@@ -55,17 +56,9 @@ T* copyRow(const LightField& texels, int j, int u, int v, T* rgb) {
   return rgb;
 }
 
-/// Returns a number with as many digits as the largest of `count`, at least three: "007".
-std::string padded(int number, int count) {
-  const std::string text = std::to_string(number);
-  const std::size_t digits = std::max<std::size_t>(std::to_string(count - 1).size(), 3);
-  return std::string(digits - text.size(), '0') + text;
-}
-
 fs::path viewFile(const LightFieldFile& lightField, const fs::path& folder, int u, int v) {
-  const auto [nx, ny, du, dv] = lightField.size();
   const char* const ending = lightField.type() == StoredType::real ? ".exr" : ".png";
-  return folder / (padded(v, dv) + "_" + padded(u, du) + ending);
+  return folder / (viewName(lightField.size(), u, v) + ending);
 }
 
 /// Throws InputError for other files: views of an earlier, larger export would be taken for views
