@@ -263,9 +263,9 @@ void TestStability::tableHasItsColumns() {
     for (int k = 4; k < 9; ++k) sum += cells[k].toInt();
     QCOMPARE(sum, cells[3].toInt());
   }
-  QCOMPARE(kinds, QStringList({"lens", "k1_k2", "p1_p2", "psf_gain", "psnr_mean", "near_panel",
-                               "grazing", "scale", "origin", "pupil_focus", "pupil_width",
-                               "undistortion"}));
+  QCOMPARE(kinds,
+           QStringList({"lens", "k1_k2", "p1_p2", "psf_gain", "psnr_mean", "near_panel", "grazing",
+                        "scale", "origin", "pupil_focus", "pupil_width", "undistortion"}));
 }
 
 void TestStability::stops() {
