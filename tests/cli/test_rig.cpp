@@ -41,6 +41,7 @@ class TestRig : public QObject {
   void needsNoLightField();
   void mistakes_data();
   void mistakes();
+  void tooManyViews();
 
  private:
   [[nodiscard]] Outcome program(const QStringList& arguments) const {
@@ -177,6 +178,16 @@ void TestRig::mistakes() {
   compareLine(outcome.err.trimmed(), message.trimmed());
   QCOMPARE(namesIn("."), QStringList{"s.json"});
   QCOMPARE(contentOf("s.json"), text(sections));
+}
+
+void TestRig::tooManyViews() {
+  writeFile("s.json", liveSession({}, R"([{"name": "a"}])"));
+  const Outcome outcome = rig({"--output", "rig.json", "--set", "display.directions=[9000,9000]"});
+  QCOMPARE(outcome.err,
+           QByteArray("hogelscope: s.json: display.directions: 9000×9000 views are more than a "
+                      "million cameras, the most that a rig has\n"));
+  QCOMPARE(outcome.status, 2);
+  QCOMPARE(namesIn("."), QStringList{"s.json"});
 }
 
 QTEST_GUILESS_MAIN(TestRig)

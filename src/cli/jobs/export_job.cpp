@@ -25,7 +25,9 @@ namespace fs = std::filesystem;
 /// hogels or directions: a rig is made before its content.
 PanelParams panelOf(const Session& session) {
   const PanelParams display = displayOf(session);
-  const auto isGiven = [](const std::array<int, 2>& counts) { return counts[0] * counts[1] > 0; };
+  const auto isGiven = [](const std::array<int, 2>& counts) {
+    return counts[0] > 0 && counts[1] > 0;
+  };
   if (isGiven(display.hogels) && isGiven(display.directions)) return display;
   return resolved(display, openLightField(session.lightField, session.display)->size());
 }
@@ -38,8 +40,8 @@ int exportRig(const Session& session, const CommandLine& line) {
     throw InputError("--output " + output.string(),
                      "is the name of the glTF file beside the rig: end it in .json");
   checkOutputs({output, gltf}, {line.text("session"), session.lightField.file});
-  const std::vector<RigCamera> rig =
-      inFile(line.text("session"), [&] { return rigOf(panelOf(session)); });
+  const PanelParams display = panelOf(session);  // its errors name the light field's file
+  const std::vector<RigCamera> rig = inFile(line.text("session"), [&] { return rigOf(display); });
   makeFolderOf(output);
   writeTextFile(output, rigText(rig));
   writeTextFile(gltf, rigGltf(rig));

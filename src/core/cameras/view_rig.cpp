@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "core/base/error.h"
+#include "core/base/text.h"
 
 namespace hogelscope {
 
@@ -30,6 +31,11 @@ std::vector<RigCamera> rigOf(const PanelParams& display) {
         "--set lightField.viewingDistance=0.6 for cameras 0.6 m in front of the panel");
   const Display panel(display);
   const LightFieldSize& size = panel.size();
+  constexpr double most = 1e6;  // cameras of about a gigabyte of memory
+  if (double(size.du) * size.dv > most)
+    throw InputError("display.directions", pairText(size.du, size.dv) +
+                                               " views are more than a million cameras, the "
+                                               "most that a rig has");
   const Vec2 pixel{display.size[0] / size.nx, display.size[1] / size.ny};
   const Vec2 middle{0.5 * (size.nx - 1), 0.5 * (size.ny - 1)};
   std::vector<RigCamera> rig;

@@ -24,7 +24,8 @@ struct RigCamera {
 /// Returns a camera for each view, row by row. They stand on the plane z = viewingDistance, look
 /// along -z, and their image planes are the panel: the axis of a camera that is not in front of the
 /// panel's centre does not pass through the middle of its image (docs/formulas.md, Rig). Throws
-/// InputError without a viewing distance: the rays of a view are then parallel.
+/// InputError without a viewing distance, because the rays of a view are then parallel, and for
+/// more than a million views.
 std::vector<RigCamera> rigOf(const PanelParams& display);
 
 }  // namespace hogelscope
