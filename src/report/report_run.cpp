@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
-#include <cmath>
 #include <limits>
 #include <set>
 
@@ -191,9 +190,7 @@ void ReportRun::showViews(std::size_t test) {
   const auto show = [&](const char* which, std::size_t state) {
     const ViewPair pair = m_pairs.render(state, 0, m_progress.within());
     const ReportRow& row = m_report.rows[rowOf(test, state)];
-    const double db = row.values[psnrSeenColumn];
-    const SheetLabels labels{row.state, m_names[test],
-                             rounded(db, 2) + (std::isfinite(db) ? " dB" : "")};
+    const SheetLabels labels{row.state, m_names[test], row.values[psnrSeenColumn]};
     m_views.push_back(m_writing.of([&] {
       return writeView(m_folder, {rowOf(test, state), test, which}, m_request.tests.size(), pair,
                        labels, m_progress.within());

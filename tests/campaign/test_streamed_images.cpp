@@ -100,8 +100,8 @@ void TestStreamedImages::initTestCase() {
   QVERIFY(QDir::setCurrent(m_folder.path()));
   for (const char* name : {"bytes.png", "bytes.tif", "bytes.jpg"})
     writeImageFile(name, 180, 192, noise, PictureKind{});
-  writeImageFile("words.png", 180, 192, noise, {OIIO::TypeDesc::UINT16});
-  writeImageFile("reals.exr", 180, 192, noise, {OIIO::TypeDesc::FLOAT});
+  writeImageFile("words.png", 180, 192, noise, {PictureType::UInt16});
+  writeImageFile("reals.exr", 180, 192, noise, {PictureType::Float});
 }
 
 void TestStreamedImages::sameImages_data() {

@@ -325,7 +325,7 @@ void TestCommandLine::infoOfALiveSession() {
 }
 
 void TestCommandLine::infoOfPictures() {
-  writeImageFile("a.tif", 20, 18, [](int, int, int) { return 0.5F; }, {OIIO::TypeDesc::UINT16, 4});
+  writeImageFile("a.tif", 20, 18, [](int, int, int) { return 0.5F; }, {PictureType::UInt16, 4});
   const Outcome outcome = run({"--info", "a.tif"}, m_folder->path());
   QCOMPARE(outcome.err, QByteArray());
   QCOMPARE(outcome.out,

@@ -23,7 +23,7 @@ void writePicture(const QString& file, const LensletCamera& camera) {
   const std::vector<double> light = camera.picture();
   writeImageFile(file, camera.width, camera.height,
                  [&](int x, int y, int) { return float(0.8 * light[camera.indexOf(x, y)]); },
-                 {OIIO::TypeDesc::UINT16, 1, 0});
+                 {PictureType::UInt16, 1, 0});
 }
 
 /// Spots 12 px apart, each up to 2 px off its place.

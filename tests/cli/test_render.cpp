@@ -91,9 +91,9 @@ void TestRender::pictures() {
   QCOMPARE(namesIn("out"), filesOf(states, ".png"));
   QCOMPARE(namesIn("."), QStringList{"out"});
   for (int k = 0; k < 6; ++k) {
-    const OIIO::ImageSpec spec = specOf("out/" + states[k] + ".png");
-    QCOMPARE(spec.nchannels, 3);
-    QVERIFY(spec.format == OIIO::TypeDesc::UINT8);
+    const PictureSpec spec = specOf("out/" + states[k] + ".png");
+    QCOMPARE(spec.channels, 3);
+    QVERIFY(spec.type == PictureType::UInt8);
     QVERIFY2(valuesOf<std::uint8_t>("out/" + states[k] + ".png") == m_expected[std::size_t(k)].rgb,
              qPrintable(states[k]));
   }
@@ -112,7 +112,7 @@ void TestRender::masks() {
            (QStringList{"Fig 1.mask.png", "Fig 1.png", "Fig 4.mask.png", "Fig 4.png"}));
   for (const std::size_t k : {std::size_t(0), std::size_t(3)}) {
     const QString file = "out/" + states[int(k)] + ".mask.png";
-    QCOMPARE(specOf(file).nchannels, 1);
+    QCOMPARE(specOf(file).channels, 1);
     const std::vector<std::uint8_t>& seen = m_expected[k].seen;
     QVERIFY(valuesOf<std::uint8_t>(file) == seen);
     QVERIFY(std::count(seen.begin(), seen.end(), 0) > 0);
@@ -123,7 +123,7 @@ void TestRender::masks() {
 void TestRender::exrHoldsTheValues() {
   QCOMPARE(render({"--format", "exr", "--masks", "--states", "Fig 1"}).status, 0);
   QCOMPARE(namesIn("out"), (QStringList{"Fig 1.exr", "Fig 1.mask.png"}));
-  QVERIFY(specOf("out/Fig 1.exr").format == OIIO::TypeDesc::FLOAT);
+  QVERIFY(specOf("out/Fig 1.exr").type == PictureType::Float);
   const std::vector<float> values = valuesOf<float>("out/Fig 1.exr");
   const ViewSource scene = loadViewSource(m_session, {});
   const Simulation simulation(scene.job(m_session.cameras[0]));
@@ -144,7 +144,7 @@ void TestRender::exrHoldsTheValues() {
 void TestRender::tiffHoldsSixteenBits() {
   QCOMPARE(render({"--format=tif", "--states", "Fig 1"}).status, 0);
   QCOMPARE(namesIn("out"), QStringList{"Fig 1.tif"});
-  QVERIFY(specOf("out/Fig 1.tif").format == OIIO::TypeDesc::UINT16);
+  QVERIFY(specOf("out/Fig 1.tif").type == PictureType::UInt16);
   const std::vector<std::uint16_t> values = valuesOf<std::uint16_t>("out/Fig 1.tif");
   const ViewSource scene = loadViewSource(m_session, {});
   const Simulation simulation(scene.job(m_session.cameras[0]));

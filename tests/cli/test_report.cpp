@@ -424,7 +424,7 @@ void TestReport::tenBitsAgainstTheirCopy() {
 
 /// The same bytes where both are read from the top once.
 void TestReport::sixteenBitsThatPassBy() {
-  const PictureKind sixteen{OIIO::TypeDesc::UINT16};
+  const PictureKind sixteen{PictureType::UInt16};
   writeImageFile("a.png", 128, 128, content, sixteen);
   writeImageFile("b.png", 128, 128, noisy, sixteen);
   QCOMPARE(report({"--test", "b.png", "--images"}).status, 0);
@@ -434,7 +434,7 @@ void TestReport::sixteenBitsThatPassBy() {
   for (const char* file : {"/report.csv", "/metrics.csv", "/summary.csv", "/reference/<i>&.png",
                            "/test1/<i>&.png", "/panel_error/test1_hogels.exr"})
     QVERIFY2(contentOf(QString("loaded") + file) == contentOf(QString("out") + file), file);
-  QCOMPARE(specOf("out/test1/<i>&.png").format, OIIO::TypeDesc(OIIO::TypeDesc::UINT16));
+  QCOMPARE(specOf("out/test1/<i>&.png").type, PictureType::UInt16);
 }
 
 void TestReport::badTestsAreToldFirst_data() {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Tests a report's numbers against scikit-image on the written pictures, its summary, and BD-rates.
+#include <QStandardPaths>
 #include <QTemporaryDir>
 #include <QTest>
 #include <cmath>
@@ -47,6 +48,7 @@ class TestReportMetrics : public QObject {
   void jpegLadder();
   void summaryIsOfTheRows();
   void bdRates();
+  void figuresCompileInLatex();
   void ratesFromFileSizes();
   void oneGroupIsACurve();
   void picturesOfThePageAreSmall();
@@ -180,23 +182,56 @@ void TestReportMetrics::bdRates() {
   arguments << "--group"
             << "JPEG=" + names.join(',');
   arguments << "--group"
-            << "Half, as much=copy_" + names.join(",copy_");
+            << "Half, 50 %_#=copy_" + names.join(",copy_");
   const Outcome outcome = report(arguments, "bd");
   QCOMPARE(outcome.err, QByteArray());
   const auto table = tableOf("bd/bd.csv");
   QCOMPARE(table.size(), 9);
   for (int row = 1; row < 9; ++row) {
-    QCOMPARE(table[row].mid(0, 2), (QStringList{"JPEG", "Half, as much"}));
+    QCOMPARE(table[row].mid(0, 2), (QStringList{"JPEG", "Half, 50 %_#"}));
     QVERIFY(std::abs(table[row][3].toDouble() + 50) < 1e-9);
     QVERIFY(table[row][10].toDouble() > 0);
     QCOMPARE(table[row][8], QString(row <= 4 ? "seen" : "frame"));
     QCOMPARE(table[row][7], QString());
   }
-  QVERIFY2(outcome.out.contains("Half, as much against JPEG, mean_psnr_seen: BD-rate -50.00 %"),
+  QVERIFY2(outcome.out.contains("Half, 50 %_# against JPEG, mean_psnr_seen: BD-rate -50.00 %"),
            outcome.out);
   QVERIFY(contentOf("bd/report.html")
-              .contains("<td>Half, as much</td><td>JPEG</td><td>mean PSNR\u2011YUV in dB</td>"
+              .contains("<td>Half, 50 %_#</td><td>JPEG</td><td>mean PSNR\u2011YUV in dB</td>"
                         "<td class=\"n\">-50.00 (-50.00 … -50.00)</td>"));
+}
+
+/// The manual's way: every plot as PDF, both tables, and a picture of a view, in one document.
+void TestReportMetrics::figuresCompileInLatex() {
+  for (const char* program : {"pdflatex", "rsvg-convert"})
+    if (QStandardPaths::findExecutable(program).isEmpty())
+      QSKIP(qPrintable(QString("%1 is not installed").arg(program)));
+  const auto call = [](const QString& program, const QStringList& arguments) {
+    QProcess process;
+    process.start(program, arguments);
+    process.waitForFinished(-1);
+    return std::pair(process.exitCode(), process.readAllStandardOutput());
+  };
+  QByteArray body;
+  const QStringList plots = QDir("bd/plots").entryList({"*.svg"});
+  QCOMPARE(plots.size(), 8 * 5 + 4);  // of eight tests, and the curves
+  for (const QString& plot : plots) {
+    const QString pdf = plot.chopped(4) + ".pdf";
+    QCOMPARE(call("rsvg-convert", {"-f", "pdf", "-o", pdf, "bd/plots/" + plot}).first, 0);
+    body += "\\includegraphics{" + pdf.toUtf8() + "}\n";
+  }
+  body += "\\includegraphics[width=\\linewidth]{bd/views/test1_worst.png}\n";
+  for (const char* table : {"means", "bd"})
+    body += QByteArray("\n\\input{bd/plots/") + table + ".tex}\n";
+  QFile document("paper.tex");
+  QVERIFY(document.open(QIODevice::WriteOnly));
+  document.write("\\documentclass[twocolumn]{article}\\usepackage{graphicx}\n\\begin{document}\n" +
+                 body + "\\end{document}\n");
+  document.close();
+  const auto [status, said] =
+      call("pdflatex", {"-halt-on-error", "-interaction=nonstopmode", "paper.tex"});
+  QVERIFY2(status == 0, said);
+  QVERIFY(said.contains("Output written on paper.pdf"));
 }
 
 void TestReportMetrics::ratesFromFileSizes() {

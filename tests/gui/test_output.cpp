@@ -72,7 +72,7 @@ class Answers : public QObject {
 };
 
 Image readImage(const QString& file) {
-  const OIIO::ImageSpec spec = specOf(file);
+  const PictureSpec spec = specOf(file);
   Image image(spec.width, spec.height);
   image.rgb = valuesOf<unsigned char>(file);
   return image;
@@ -210,12 +210,12 @@ void TestOutput::formatsHoldWhatTheyCan() {
   const FloatImage whole = Renderer(serialRows).renderFloat(job);
   const QSize size(120, 120);
   QVERIFY(savedView(path("out/a.png"), size).contains("Saved"));
-  QCOMPARE(specOf(path("out/a.png")).format, OIIO::TypeDesc(OIIO::TypeDesc::UINT8));
+  QCOMPARE(specOf(path("out/a.png")).type, PictureType::UInt8);
   QCOMPARE(valuesOf<unsigned char>(path("out/a.png")), expected.rgb);
   QVERIFY(savedView(path("out/a.tif"), size).contains("Saved"));
-  QCOMPARE(specOf(path("out/a.tif")).format, OIIO::TypeDesc(OIIO::TypeDesc::UINT16));
+  QCOMPARE(specOf(path("out/a.tif")).type, PictureType::UInt16);
   QVERIFY(savedView(path("out/a.exr"), size).contains("Saved"));
-  QCOMPARE(specOf(path("out/a.exr")).format, OIIO::TypeDesc(OIIO::TypeDesc::FLOAT));
+  QCOMPARE(specOf(path("out/a.exr")).type, PictureType::Float);
   const auto deep = valuesOf<unsigned short>(path("out/a.tif"));
   const auto floats = valuesOf<float>(path("out/a.exr"));
   QCOMPARE(floats.size(), whole.rgb.size());
@@ -306,7 +306,7 @@ void TestOutput::sceneForFigures() {
   QVERIFY(count(white, lightTokens().eye) > 50);
   for (const char* name : {"out/clear.png", "out/clear.tif"}) {
     QVERIFY(saved(name, SceneBackground::transparent).contains("Saved"));
-    QCOMPARE(specOf(path(name)).nchannels, 4);
+    QCOMPARE(specOf(path(name)).channels, 4);
     const auto values = valuesOf<unsigned char>(path(name));
     QCOMPARE(values[4 * (2 * 600 + 2) + 3], 0);
     QCOMPARE(values[4 * (200 * 600 + 300) + 3], 255);  // the panel

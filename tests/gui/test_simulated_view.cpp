@@ -397,6 +397,32 @@ class TestSimulatedView : public QObject {
              qPrintable(message()));
   }
 
+  void savesAFigureOfTheComparison() {
+    openSample();
+    QVERIFY(!action("saveFigureAction")->isEnabled());
+    const QString file = m_folder.filePath("figure.png");
+    compare();
+    QVERIFY(action("saveFigureAction")->isEnabled());
+    QVERIFY(commands()->saveFigure(file));
+    const QImage figure = QImage(file).convertToFormat(view()->image().format());
+    constexpr int gap = 6, top = 19;  // of a sheet with pictures of 120 rows
+    const auto part = [&](int k, int y, int height) {
+      return figure.copy(gap + k * (side + gap), y, side, height);
+    };
+    const auto picture = [&](int k) { return part(k, top, side); };
+    QCOMPARE(picture(0), view()->image());
+    QCOMPARE(picture(1), view()->otherImage());
+    QVERIFY(picture(2) != picture(0) && picture(2) != picture(1));
+    QImage white(side, top, figure.format());
+    white.fill(Qt::white);
+    for (int k = 0; k < 3; ++k) QVERIFY(part(k, 0, top) != white);  // has a label
+    QVERIFY(!commands()->saveFigure(m_ownFile));                    // an input
+    action("stopComparingAction")->trigger();
+    QVERIFY(!action("saveFigureAction")->isEnabled() && !commands()->saveFigure(file));
+    QVERIFY2(message().startsWith("Error: ") && message().contains("figure.png"),
+             qPrintable(message()));
+  }
+
   void theMaskIsOfEachImage() {
     openSample();
     m_window->findChild<QComboBox*>("stateBox")->setCurrentIndex(2);

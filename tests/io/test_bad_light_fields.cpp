@@ -105,8 +105,8 @@ void TestBadLightFields::initTestCase() {
   writeFile("text.txt", "hello\n");
   writeFile("empty.png", "");
   const auto oneNan = [](int x, int y, int c) { return x == 5 && y == 2 && c == 1 ? NAN : 0.5F; };
-  writeImageFile("nan.exr", 8, 6, oneNan, {OIIO::TypeDesc::FLOAT});
-  writeImageFile("nan.tif", 8, 6, oneNan, {OIIO::TypeDesc::FLOAT});
+  writeImageFile("nan.exr", 8, 6, oneNan, {PictureType::Float});
+  writeImageFile("nan.tif", 8, 6, oneNan, {PictureType::Float});
 
   QVERIFY(QDir().mkdir("none"));
   writeViews("views", {"000_000.png", "000_001.png", "001_000.png", "001_001.png"});
@@ -407,7 +407,7 @@ void TestBadLightFields::exrHeadersThatAskForGigabytes() {
   QFETCH(int, at);
   QFETCH(QByteArray, bytes);
   QFETCH(QString, problem);
-  writeImageFile("large.exr", 8, 6, [](int, int, int) { return 0.5F; }, {OIIO::TypeDesc::HALF});
+  writeImageFile("large.exr", 8, 6, [](int, int, int) { return 0.5F; }, {PictureType::Half});
   QByteArray content = contentOf("large.exr");
   const qsizetype place = content.indexOf(attribute);
   QVERIFY(place > 0);

@@ -69,13 +69,13 @@ void TestImageWriter::pictures() {
   QCOMPARE(valuesOf<std::uint8_t>("memory.png"), rgb);
   const std::span grey = std::span(rgb).first(std::size_t(width * height));
   writeMask("mask.png", width, height, grey);
-  QCOMPARE(specOf("mask.png").nchannels, 1);
+  QCOMPARE(specOf("mask.png").channels, 1);
   QCOMPARE(valuesOf<std::uint8_t>("mask.png"), std::vector(grey.begin(), grey.end()));
   for (const char* file : {"rows.png", "rows.tif"}) {
     writeByRows(file, width, rgb, StoredType::uint8);
     QCOMPARE(valuesOf<std::uint8_t>(file), rgb);
     writeByRows(file, width, deep, StoredType::uint16);
-    QCOMPARE(specOf(file).format, OIIO::TypeDesc(OIIO::TypeDesc::UINT16));
+    QCOMPARE(specOf(file).type, PictureType::UInt16);
     QCOMPARE(valuesOf<std::uint16_t>(file), deep);
   }
   // Code values 0 … 255, in steps of which 257 make a 16-bit one.

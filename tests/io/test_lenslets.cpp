@@ -20,8 +20,8 @@ using namespace hogelscope;
 
 namespace {
 
-constexpr PictureKind grey16{OIIO::TypeDesc::UINT16, 1, 0};
-constexpr PictureKind greyReal{OIIO::TypeDesc::FLOAT, 1, 0};
+constexpr PictureKind grey16{PictureType::UInt16, 1, 0};
+constexpr PictureKind greyReal{PictureType::Float, 1, 0};
 constexpr double darkLevel = 0.01;
 
 /// `full` of the range, above the dark level, with noise of a hundredth of it.
@@ -325,7 +325,7 @@ void TestLenslets::directionsAreBilinear() {
     return float(0.1 + (x + 2 * y + 3 * c) / 1000);
   };
   writeImageFile("plane.exr", 120, 90, [&](int x, int y, int c) { return plane(x, y, c); },
-                 {OIIO::TypeDesc::FLOAT, 3, 0});
+                 {PictureType::Float, 3, 0});
   LightFieldParams params = lenslets("plane.exr");
   params.lenslets.pitch = 10.3;
   params.lenslets.rotation = 20;
@@ -594,12 +594,12 @@ void TestLenslets::mistakes_data() {
 void TestLenslets::mistakes() {
   writeImageFile("small.png", 1, 1, [](int, int, int) { return 0.5F; });
   writeImageFile("equal.png", 60, 50, [](int, int, int) { return 0.5F; },
-                 {OIIO::TypeDesc::UINT8, 1, 0});
+                 {PictureType::UInt8, 1, 0});
   writeImageFile("black.png", 60, 50, [](int, int, int) { return 0.0F; });
   writeImageFile("colour.png", 60, 50, [](int, int, int c) { return 0.2F * float(1 + c); });
   RandomNumbers random(3);
   writeImageFile("noise.png", 60, 50, [&](int, int, int) { return float(random.unit()); },
-                 {OIIO::TypeDesc::UINT8, 1, 0});
+                 {PictureType::UInt8, 1, 0});
   writeImageFile(
       "nan.exr", 60, 50, [](int x, int, int) { return x == 7 ? std::nanf("") : 0.5F; }, greyReal);
   QFETCH(QString, fields);

@@ -55,9 +55,9 @@ class TestLightFieldExport : public QObject {
     return m_folder->filePath(name).toStdString();
   }
   /// An image of hogels of noise.
-  std::unique_ptr<LightFieldFile> noise(const PanelParams& display, OIIO::TypeDesc::BASETYPE type) {
+  std::unique_ptr<LightFieldFile> noise(const PanelParams& display, PictureType type) {
     Random random(1);
-    const QString file = m_folder->filePath(type == OIIO::TypeDesc::FLOAT ? "n.exr" : "n.png");
+    const QString file = m_folder->filePath(type == PictureType::Float ? "n.exr" : "n.png");
     writeImageFile(file, display.hogels[0] * display.directions[0],
                    display.hogels[1] * display.directions[1],
                    [&](int, int, int) { return float(random.uniform(0, 1)); }, {.type = type});
@@ -78,17 +78,17 @@ class TestLightFieldExport : public QObject {
 
 void TestLightFieldExport::readsBack_data() {
   QTest::addColumn<int>("type");
-  QTest::newRow("8 bits") << int(OIIO::TypeDesc::UINT8);
-  QTest::newRow("16 bits") << int(OIIO::TypeDesc::UINT16);
-  QTest::newRow("floats") << int(OIIO::TypeDesc::FLOAT);
+  QTest::newRow("8 bits") << int(PictureType::UInt8);
+  QTest::newRow("16 bits") << int(PictureType::UInt16);
+  QTest::newRow("floats") << int(PictureType::Float);
 }
 
 void TestLightFieldExport::readsBack() {
   QFETCH(const int, type);
   const PanelParams display = displayOf(12, 3);
-  const auto file = noise(display, OIIO::TypeDesc::BASETYPE(type));
+  const auto file = noise(display, PictureType(type));
   const LightField whole = file->read({});
-  const bool isReal = type == OIIO::TypeDesc::FLOAT;
+  const bool isReal = type == int(PictureType::Float);
 
   const std::string hogels = path(isReal ? "h.exr" : "h.png");
   exportHogels(*file, hogels, {});
@@ -131,7 +131,7 @@ void TestLightFieldExport::quilts() {
   QFETCH(const QString, name);
   QFETCH(const int, columns);
   const PanelParams display = displayOf(12, 1);
-  const auto file = noise(display, OIIO::TypeDesc::UINT8);
+  const auto file = noise(display, PictureType::UInt8);
   const std::string quilt = path(qPrintable(name));
   QCOMPARE(quiltTilesFor(*file, quilt)[0], columns);
   exportQuilt(*file, quilt, {});
@@ -144,11 +144,11 @@ void TestLightFieldExport::quilts() {
 }
 
 void TestLightFieldExport::quiltsThatCannotBe() {
-  const auto rows = noise(displayOf(4, 3), OIIO::TypeDesc::UINT8);
+  const auto rows = noise(displayOf(4, 3), PictureType::UInt8);
   QVERIFY(errorOf([&] {
             (void)quiltTilesFor(*rows, path("q.png"));
           }).contains("display.directions: has 3 rows"));
-  const auto one = noise(displayOf(12, 1), OIIO::TypeDesc::UINT8);
+  const auto one = noise(displayOf(12, 1), PictureType::UInt8);
   QVERIFY(errorOf([&] {
             (void)quiltTilesFor(*one, path("q_qs5x2a1.png"));
           }).contains("q_qs5x2a1.png: the name: says 10 views; there are 12 directions"));
@@ -156,10 +156,10 @@ void TestLightFieldExport::quiltsThatCannotBe() {
 
 /// No values are rounded in silence, and no file is left.
 void TestLightFieldExport::typesThatDoNotFit() {
-  const auto real = noise(displayOf(4, 3), OIIO::TypeDesc::FLOAT);
+  const auto real = noise(displayOf(4, 3), PictureType::Float);
   QVERIFY(
       errorOf([&] { exportHogels(*real, path("h.png"), {}); }).contains("does not hold floats"));
-  const auto deep = noise(displayOf(4, 3), OIIO::TypeDesc::UINT16);
+  const auto deep = noise(displayOf(4, 3), PictureType::UInt16);
   QVERIFY(
       errorOf([&] { exportHogels(*deep, path("h.jpg"), {}); }).contains("does not hold 16 bits"));
   QVERIFY(errorOf([&] { exportHogels(*deep, path("h.xyz"), {}); }).contains("h.xyz"));
@@ -168,7 +168,7 @@ void TestLightFieldExport::typesThatDoNotFit() {
 
 /// Other images in the folder would be taken for views.
 void TestLightFieldExport::viewsAlone() {
-  const auto file = noise(displayOf(4, 3), OIIO::TypeDesc::UINT8);
+  const auto file = noise(displayOf(4, 3), PictureType::UInt8);
   writeFile(m_folder->filePath("v/003_000.png"), "x");
   QVERIFY(errorOf([&] { exportViews(*file, path("v"), {}); }).contains("choose an empty folder"));
   QCOMPARE(namesIn(m_folder->filePath("v")), QStringList("003_000.png"));
@@ -178,7 +178,7 @@ void TestLightFieldExport::viewsAlone() {
 }
 
 void TestLightFieldExport::stops() {
-  const auto file = noise(displayOf(12, 1), OIIO::TypeDesc::UINT8);
+  const auto file = noise(displayOf(12, 1), PictureType::UInt8);
   const Progress stop = [](double) { return false; };
   QVERIFY_THROWS_EXCEPTION(Cancelled, exportHogels(*file, path("h.png"), stop));
   QVERIFY_THROWS_EXCEPTION(Cancelled, exportQuilt(*file, path("q.png"), stop));

@@ -107,19 +107,17 @@ void TestLightFieldFile::formats_data() {
   constexpr double sixteen = 0.5001 / 257;
   constexpr double half = 0.1;
   constexpr double single = 1e-4;
-  QTest::newRow("PNG") << "a.png" << int(OIIO::TypeDesc::UINT8) << 3 << 0 << eight;
-  QTest::newRow("PNG, 16 bit") << "b.png" << int(OIIO::TypeDesc::UINT16) << 3 << 0 << sixteen;
-  QTest::newRow("PNG, RGBA") << "c.png" << int(OIIO::TypeDesc::UINT8) << 4 << 0 << eight;
-  QTest::newRow("TIFF") << "d.tif" << int(OIIO::TypeDesc::UINT8) << 3 << 0 << eight;
-  QTest::newRow("TIFF, 16 bit, tiles")
-      << "e.tif" << int(OIIO::TypeDesc::UINT16) << 3 << 16 << sixteen;
-  QTest::newRow("TIFF, float, RGBA") << "f.tif" << int(OIIO::TypeDesc::FLOAT) << 4 << 0 << single;
-  QTest::newRow("TIFF, double") << "g.tif" << int(OIIO::TypeDesc::DOUBLE) << 3 << 0 << single;
-  QTest::newRow("EXR") << "h.exr" << int(OIIO::TypeDesc::FLOAT) << 3 << 0 << single;
-  QTest::newRow("EXR, half, tiles, RGBA")
-      << "i.exr" << int(OIIO::TypeDesc::HALF) << 4 << 16 << half;
-  QTest::newRow("BMP") << "j.bmp" << int(OIIO::TypeDesc::UINT8) << 3 << 0 << eight;
-  QTest::newRow("PPM") << "k.ppm" << int(OIIO::TypeDesc::UINT8) << 3 << 0 << eight;
+  QTest::newRow("PNG") << "a.png" << int(PictureType::UInt8) << 3 << 0 << eight;
+  QTest::newRow("PNG, 16 bit") << "b.png" << int(PictureType::UInt16) << 3 << 0 << sixteen;
+  QTest::newRow("PNG, RGBA") << "c.png" << int(PictureType::UInt8) << 4 << 0 << eight;
+  QTest::newRow("TIFF") << "d.tif" << int(PictureType::UInt8) << 3 << 0 << eight;
+  QTest::newRow("TIFF, 16 bit, tiles") << "e.tif" << int(PictureType::UInt16) << 3 << 16 << sixteen;
+  QTest::newRow("TIFF, float, RGBA") << "f.tif" << int(PictureType::Float) << 4 << 0 << single;
+  QTest::newRow("TIFF, double") << "g.tif" << int(PictureType::Double) << 3 << 0 << single;
+  QTest::newRow("EXR") << "h.exr" << int(PictureType::Float) << 3 << 0 << single;
+  QTest::newRow("EXR, half, tiles, RGBA") << "i.exr" << int(PictureType::Half) << 4 << 16 << half;
+  QTest::newRow("BMP") << "j.bmp" << int(PictureType::UInt8) << 3 << 0 << eight;
+  QTest::newRow("PPM") << "k.ppm" << int(PictureType::UInt8) << 3 << 0 << eight;
 }
 
 void TestLightFieldFile::formats() {
@@ -129,7 +127,7 @@ void TestLightFieldFile::formats() {
   QFETCH(int, tile);
   QFETCH(double, tolerance);
   writeImageFile(file, size.nx * size.du, size.ny * size.dv, hogelImage,
-                 {OIIO::TypeDesc::BASETYPE(type), channels, tile});
+                 {PictureType(type), channels, tile});
   const LightField lightField = read(paramsOf(file));
   QCOMPARE(firstWrong(lightField, colourOf, tolerance), QString());
   QVERIFY(!firstWrong(
@@ -149,8 +147,7 @@ void TestLightFieldFile::grey() {
   QFETCH(QString, file);
   QFETCH(int, channels);
   const auto value = [](int x, int y, int c) { return c == 1 ? 1 : hogelImage(x, y, 0); };
-  writeImageFile(file, size.nx * size.du, size.ny * size.dv, value,
-                 {OIIO::TypeDesc::UINT8, channels});
+  writeImageFile(file, size.nx * size.du, size.ny * size.dv, value, {PictureType::UInt8, channels});
   const auto expected = [](const TexelIndex& at) {
     const double r = colourOf(at).r;
     return Rgb{r, r, r};
@@ -187,15 +184,14 @@ void TestLightFieldFile::alphaIsLightOverBlack() {
   const auto value = [](int x, int y, int c) {
     return c == 3 ? 102.0F / 255 : hogelImage(x, y, c);
   };
-  writeImageFile(file, size.nx * size.du, size.ny * size.dv, value,
-                 {OIIO::TypeDesc::UINT8, 4, tile});
+  writeImageFile(file, size.nx * size.du, size.ny * size.dv, value, {PictureType::UInt8, 4, tile});
   const auto expected = [](const TexelIndex& at) { return 0.4 * colourOf(at); };
   QCOMPARE(firstWrong(read(paramsOf(file)), expected, 1), QString());
 }
 
 void TestLightFieldFile::incomingFlipsBoth() {
   writeImageFile("hogels.tif", size.nx * size.du, size.ny * size.dv, hogelImage,
-                 {OIIO::TypeDesc::UINT16});
+                 {PictureType::UInt16});
   const auto expected = [](const TexelIndex& at) {
     return colourOf({at.i, at.j, size.du - 1 - at.u, size.dv - 1 - at.v});
   };

@@ -2,6 +2,7 @@
 // Tests that a store holds every texel of the light field that it was packed from, for ours and for
 // another reader.
 #define XXH_INLINE_ALL
+#include <OpenImageIO/imageio.h>
 #include <xxhash.h>
 
 #include <QTemporaryDir>
@@ -74,16 +75,16 @@ void TestStore::everyTexel_data() {
   QTest::addColumn<int>("type");
   const QList<int> even{16, 16, 16, 8};
   const QList<int> odd{19, 11, 13, 9};
-  QTest::newRow("8 bit") << even << int(OIIO::TypeDesc::UINT8);
-  QTest::newRow("8 bit, odd") << odd << int(OIIO::TypeDesc::UINT8);
-  QTest::newRow("16 bit") << even << int(OIIO::TypeDesc::UINT16);
-  QTest::newRow("16 bit, odd") << odd << int(OIIO::TypeDesc::UINT16);
-  QTest::newRow("float, odd") << odd << int(OIIO::TypeDesc::FLOAT);
-  QTest::newRow("float") << even << int(OIIO::TypeDesc::FLOAT);
-  QTest::newRow("one hogel") << QList<int>{1, 1, 70, 65} << int(OIIO::TypeDesc::UINT8);
-  QTest::newRow("one direction") << QList<int>{70, 65, 1, 1} << int(OIIO::TypeDesc::UINT8);
-  QTest::newRow("one row") << QList<int>{33, 1, 17, 1} << int(OIIO::TypeDesc::UINT8);
-  QTest::newRow("few directions") << QList<int>{20, 21, 3, 5} << int(OIIO::TypeDesc::UINT8);
+  QTest::newRow("8 bit") << even << int(PictureType::UInt8);
+  QTest::newRow("8 bit, odd") << odd << int(PictureType::UInt8);
+  QTest::newRow("16 bit") << even << int(PictureType::UInt16);
+  QTest::newRow("16 bit, odd") << odd << int(PictureType::UInt16);
+  QTest::newRow("float, odd") << odd << int(PictureType::Float);
+  QTest::newRow("float") << even << int(PictureType::Float);
+  QTest::newRow("one hogel") << QList<int>{1, 1, 70, 65} << int(PictureType::UInt8);
+  QTest::newRow("one direction") << QList<int>{70, 65, 1, 1} << int(PictureType::UInt8);
+  QTest::newRow("one row") << QList<int>{33, 1, 17, 1} << int(PictureType::UInt8);
+  QTest::newRow("few directions") << QList<int>{20, 21, 3, 5} << int(PictureType::UInt8);
 }
 
 void TestStore::everyTexel() {
@@ -91,7 +92,7 @@ void TestStore::everyTexel() {
   QFETCH(int, type);
   const LightFieldSize size{cells[0], cells[1], cells[2], cells[3]};
   writeImageFile("a.tif", int(size.width()), int(size.height()), hogelImage(size),
-                 {OIIO::TypeDesc::BASETYPE(type)});
+                 {PictureType(type)});
   const LightField source = packed(paramsOf("a.tif"), displayOf(size));
   LightFieldStore store("store.tif");
   QVERIFY(store.size() == size);
@@ -198,9 +199,9 @@ void TestStore::littleMemoryMakesLowerBlocks() {
 
 void TestStore::anotherReader_data() {
   QTest::addColumn<int>("type");
-  QTest::newRow("8 bit") << int(OIIO::TypeDesc::UINT8);
-  QTest::newRow("16 bit") << int(OIIO::TypeDesc::UINT16);
-  QTest::newRow("float") << int(OIIO::TypeDesc::FLOAT);
+  QTest::newRow("8 bit") << int(PictureType::UInt8);
+  QTest::newRow("16 bit") << int(PictureType::UInt16);
+  QTest::newRow("float") << int(PictureType::Float);
 }
 
 /// OpenImageIO finds each texel where store_header.h says that it is.
@@ -208,13 +209,13 @@ void TestStore::anotherReader() {
   QFETCH(int, type);
   constexpr LightFieldSize size{19, 17, 20, 9};
   writeImageFile("a.tif", int(size.width()), int(size.height()), hogelImage(size),
-                 {OIIO::TypeDesc::BASETYPE(type)});
+                 {PictureType(type)});
   const LightField source = packed(paramsOf("a.tif"), displayOf(size));
   const StoreHeader header = LightFieldStore("store.tif").header();
   const auto& block = header.block;
   const auto in = OIIO::ImageInput::open("store.tif");
   QVERIFY(in);
-  QCOMPARE(int(in->spec().format.basetype), type);
+  QCOMPARE(int(specOf("store.tif").type), type);
   for (int page = 0; page < header.blocks().j; ++page) {
     std::vector<float> values(std::size_t(in->spec_dimensions(page).image_pixels()) * 3);
     QVERIFY2(in->read_image(page, 0, 0, 3, OIIO::TypeDesc::FLOAT, values.data()),
@@ -263,9 +264,9 @@ void TestStore::overview() {
 void TestStore::slices_data() {
   QTest::addColumn<bool>("incoming");
   QTest::addColumn<int>("type");
-  QTest::newRow("8 bit") << false << int(OIIO::TypeDesc::UINT8);
-  QTest::newRow("16 bit") << false << int(OIIO::TypeDesc::UINT16);
-  QTest::newRow("float, incoming") << true << int(OIIO::TypeDesc::FLOAT);
+  QTest::newRow("8 bit") << false << int(PictureType::UInt8);
+  QTest::newRow("16 bit") << false << int(PictureType::UInt16);
+  QTest::newRow("float, incoming") << true << int(PictureType::Float);
 }
 
 namespace {
@@ -284,7 +285,7 @@ void TestStore::slices() {
   QFETCH(int, type);
   constexpr LightFieldSize size{19, 17, 20, 19};
   writeImageFile("a.tif", int(size.width()), int(size.height()), hogelImage(size),
-                 {OIIO::TypeDesc::BASETYPE(type)});
+                 {PictureType(type)});
   (void)packed(paramsOf("a.tif"), displayOf(size));
   const LightField source =
       openLightField(paramsOf("a.tif", Layout::hogels, incoming), displayOf(size))->read({});

@@ -36,18 +36,18 @@ void writeViews() {
 
 /// Each reader has its own way back to the top.
 void writeQuilts() {
-  const auto write = [](const char* file, OIIO::TypeDesc::BASETYPE type) {
+  const auto write = [](const char* file, PictureType type) {
     writeImageFile(file, size.nx * size.du, size.ny * size.dv,
                    [](int x, int y, int c) {
                      return valueAt({x % size.nx, y % size.ny, x / size.nx, y / size.ny}, c);
                    },
                    {type});
   };
-  write("a_qs11x9a1.png", OIIO::TypeDesc::UINT8);
-  write("b_qs11x9a1.png", OIIO::TypeDesc::UINT16);
-  write("c_qs11x9a1.jpg", OIIO::TypeDesc::UINT8);
-  write("d_qs11x9a1.tif", OIIO::TypeDesc::UINT16);
-  write("e_qs11x9a1.exr", OIIO::TypeDesc::FLOAT);
+  write("a_qs11x9a1.png", PictureType::UInt8);
+  write("b_qs11x9a1.png", PictureType::UInt16);
+  write("c_qs11x9a1.jpg", PictureType::UInt8);
+  write("d_qs11x9a1.tif", PictureType::UInt16);
+  write("e_qs11x9a1.exr", PictureType::Float);
 }
 
 }  // namespace

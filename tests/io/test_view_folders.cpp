@@ -240,9 +240,9 @@ void TestViewFolders::displayTakesTheFoldersSize() {
 /// The others are converted to it.
 void TestViewFolders::theFirstViewSaysTheType() {
   const auto value = [](int, int, int) { return 100.25F / 255; };
-  writeImageFile("v/000_000.tif", 2, 2, value, {OIIO::TypeDesc::FLOAT});
-  writeImageFile("v/000_001.tif", 2, 2, value, {OIIO::TypeDesc::UINT8});
-  writeImageFile("v/000_002.tif", 2, 2, value, {OIIO::TypeDesc::UINT16, 1});
+  writeImageFile("v/000_000.tif", 2, 2, value, {PictureType::Float});
+  writeImageFile("v/000_001.tif", 2, 2, value, {PictureType::UInt8});
+  writeImageFile("v/000_002.tif", 2, 2, value, {PictureType::UInt16, 1});
   const LightField lightField = openLightField(viewsIn("v"), {})->read({});
   QVERIFY(isNear(lightField.texel({0, 0, 0, 0}), {100.25, 100.25, 100.25}, 1e-4));
   QVERIFY(isNear(lightField.texel({1, 1, 1, 0}), {100, 100, 100}, 1e-4));
@@ -252,16 +252,16 @@ void TestViewFolders::theFirstViewSaysTheType() {
 void TestViewFolders::missingViewsAreBlack_data() {
   QTest::addColumn<int>("type");
   QTest::addColumn<int>("channels");
-  QTest::newRow("8 bit") << int(OIIO::TypeDesc::UINT8) << 3;
-  QTest::newRow("16 bit grey") << int(OIIO::TypeDesc::UINT16) << 1;
-  QTest::newRow("floats") << int(OIIO::TypeDesc::FLOAT) << 3;
+  QTest::newRow("8 bit") << int(PictureType::UInt8) << 3;
+  QTest::newRow("16 bit grey") << int(PictureType::UInt16) << 1;
+  QTest::newRow("floats") << int(PictureType::Float) << 3;
 }
 
 /// A circle of 9×9 is what it is with black files in place of its holes, read whole or in rows.
 void TestViewFolders::missingViewsAreBlack() {
   QFETCH(int, type);
   QFETCH(int, channels);
-  const PictureKind kind{OIIO::TypeDesc::BASETYPE(type), channels};
+  const PictureKind kind{PictureType(type), channels};
   for (int row = 0; row < 9; ++row)
     for (int column = 0; column < 9; ++column) {
       const bool isThere = std::hypot(row - 4, column - 4) < 4.3;

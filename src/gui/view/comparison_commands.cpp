@@ -165,17 +165,20 @@ void ComparisonCommands::addBar(QVBoxLayout* around) {
   map->setIconText(tr("Error map"));
   map->setToolTip(tr("Which error of the other picture is shown"));
   for (QAction* action :
-       {map, m_falseColour, own("lessGainAction", tr("÷2")), own("moreGainAction", tr("×2"))}) {
-    auto* button = new QToolButton;
-    button->setFocusPolicy(Qt::NoFocus);  // keys stay with the image
-    button->setDefaultAction(action);
-    button->setToolButtonStyle(Qt::ToolButtonTextOnly);
-    button->setPopupMode(QToolButton::InstantPopup);
-    row->addWidget(button);
-  }
+       {map, m_falseColour, own("lessGainAction", tr("÷2")), own("moreGainAction", tr("×2"))})
+    addToBar(action);
   m_bar->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Maximum);  // no wider than the image
   around->insertWidget(around->indexOf(m_view), m_bar);
   around->setStretchFactor(m_view, 1);
+}
+
+void ComparisonCommands::addToBar(QAction* action) {
+  auto* button = new QToolButton;
+  button->setFocusPolicy(Qt::NoFocus);  // keys stay with the image
+  button->setDefaultAction(action);
+  button->setToolButtonStyle(Qt::ToolButtonTextOnly);
+  button->setPopupMode(QToolButton::InstantPopup);
+  m_bar->layout()->addWidget(button);
 }
 
 void ComparisonCommands::setComparing(bool isComparing) {

@@ -24,6 +24,8 @@ class ComparisonCommands : public QObject {
   /// Puts the bar above `view` and the histogram below it, into the layout `around` it.
   ComparisonCommands(QMenu* menu, ImageWidget* view, QVBoxLayout* around, QObject* parent);
 
+  /// Adds a button for another command to the end of the bar.
+  void addToBar(QAction* action);
   /// Sets whether there is an image to compare with.
   void setComparing(bool isComparing);
   /// Measures the current images.

@@ -8,6 +8,9 @@
 #include <QStatusBar>
 #include <array>
 
+#include "core/base/error.h"
+#include "core/base/parallel.h"
+#include "core/metrics/metric.h"
 #include "gui/session/session_model.h"
 #include "gui/view/comparison_commands.h"
 #include "gui/view/view_output.h"
@@ -17,6 +20,7 @@
 #include "gui/widgets/guarded.h"
 #include "gui/widgets/polled_bar.h"
 #include "io/files/folders.h"
+#include "io/images/comparison_sheet.h"
 #include "io/images/image_writer.h"
 #include "io/scene/view_source.h"
 #include "picture/conversions.h"
@@ -102,6 +106,13 @@ void ImageCommands::addCommands(QMenu* menu, QVBoxLayout* around, QStatusBar* st
                                 tr("Saves the picture as the mode shows it, in full size"),
                                 Qt::CTRL | Qt::Key_E, tr("Save picture")},
                                this, &ImageCommands::askImage);
+  m_figure = addCommand(menu,
+                        {"saveFigureAction", tr("Save f&igure…"),
+                         tr("Saves both pictures side by side with the map of their error and its "
+                            "scale, labelled, for a paper or a slide"),
+                         Qt::CTRL | Qt::ALT | Qt::Key_G, tr("Figure…")},
+                        this, &ImageCommands::askFigure);
+  m_comparing->addToBar(m_figure);
   m_output = new ViewOutput(menu, m_view, statusBar, m_model, this);
   m_ofRightImage << addCommand(menu,
                                {"copyPictureAction", tr("Co&py picture"),
@@ -197,6 +208,7 @@ void ImageCommands::showComparison() {
   m_comparing->setComparing(other().has_value());
   m_comparing->measure();
   m_stop->setEnabled(other() || m_comparison->isReading());
+  m_figure->setEnabled(isRight() && other() && !m_view->otherImage().isNull());
   for (QAction* action : m_ofAnyImage) action->setEnabled(hasImage);
   for (QAction* action : m_ofRightImage) action->setEnabled(isRight());
   m_compareIdeal->setEnabled(hasImage && m_model->session().lightField.isLive());
@@ -230,16 +242,39 @@ void ImageCommands::compareWithDesign(const QString& name, const Session& sessio
   showComparison();
 }
 
-bool ImageCommands::saveImage(const QString& file) {
+/// Writes a picture of the current state with `write`.
+template <class Write>
+bool ImageCommands::save(const QString& file, const Write& write) {
   if (!isRight()) {  // outdated while its name was asked for
     Q_EMIT failed(tr("%1: not written: there is no picture of the current state").arg(file));
     return false;
   }
-  const QImage image = m_view->shownImage();
   return guarded(this, [&] {
     checkOutputs({file.toStdString()}, lightFieldFiles(m_model->session()));
-    writeImage(file.toStdString(), image.width(), image.height(), bytesOf(image));
+    write();
     Q_EMIT done(tr("Saved %1").arg(file));
+  });
+}
+
+bool ImageCommands::saveImage(const QString& file) {
+  return save(file, [&] {
+    const QImage image = m_view->shownImage();
+    writeImage(file.toStdString(), image.width(), image.height(), bytesOf(image));
+  });
+}
+
+bool ImageCommands::saveFigure(const QString& file) {
+  return save(file, [&] {
+    if (m_view->otherImage().isNull())
+      throw InputError(file.toStdString(), "not written", "nothing is compared any more");
+    const QRect whole = m_view->image().rect();
+    const Image own = toImage(m_view->image(), m_view->seen(), whole);
+    const Image other = toImage(m_view->otherImage(), m_view->otherSeen(), whole);
+    const QStringList titles = m_view->titles();
+    const double psnr = MetricSet().compare(own, other, parallelRows, {})[psnrSeenColumn];
+    const Image sheet =
+        comparisonSheet(own, other, {titles[0].toStdString(), titles[1].toStdString(), psnr});
+    writeImage(file.toStdString(), sheet.width, sheet.height, sheet.rgb);
   });
 }
 
@@ -264,6 +299,13 @@ void ImageCommands::askImage() {
   const QString file = chooseNewFile(m_view, tr("Save picture"), name,
                                      tr("Pictures (*.png *.tif *.tiff *.exr *.jpg)"));
   if (!file.isEmpty()) saveImage(file);
+}
+
+void ImageCommands::askFigure() {
+  const QString name = QString::fromStdString(m_model->current().camera.name) + "_figure.png";
+  const QString file = chooseNewFile(m_view, tr("Save figure"), name,
+                                     tr("Pictures (*.png *.tif *.tiff *.exr *.jpg)"));
+  if (!file.isEmpty()) saveFigure(file);
 }
 
 }  // namespace hogelscope

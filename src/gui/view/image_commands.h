@@ -49,6 +49,9 @@ class ImageCommands : public QObject {
   void compareWithDesign(const QString& name, const Session& session);
   /// Saves the image as shown, unless it is outdated. The extension gives the format.
   bool saveImage(const QString& file);
+  /// Saves the two images that are compared side by side with the map of their error
+  /// (comparisonSheet), unless they are outdated.
+  bool saveFigure(const QString& file);
 
  Q_SIGNALS:
   void requestChanged();  ///< other(), asksWhy() or eyes() has changed
@@ -68,9 +71,12 @@ class ImageCommands : public QObject {
   void askFile();
   void askFolder();
   void askImage();
+  void askFigure();
+  template <class Write>
+  bool save(const QString& file, const Write& write);
 
   QList<QAction*> m_ofAnyImage, m_ofRightImage;  ///< need an image; one that is up to date
-  QAction *m_compareIdeal = nullptr, *m_stop = nullptr, *m_mask = nullptr;
+  QAction *m_compareIdeal = nullptr, *m_stop = nullptr, *m_mask = nullptr, *m_figure = nullptr;
   QActionGroup* m_eyes;
   ImageWidget* m_view;
   SessionModel* m_model;

@@ -2,9 +2,11 @@
 #include "io/images/comparison_sheet.h"
 
 #include <algorithm>
+#include <cmath>
 #include <opencv2/imgproc.hpp>
 
 #include "core/base/axis.h"
+#include "core/base/text.h"
 #include "core/metrics/error_map.h"
 
 namespace hogelscope {
@@ -73,7 +75,9 @@ Image comparisonSheet(const Image& reference, const Image& test, const SheetLabe
   std::ranges::fill(sheet.seen, std::uint8_t{255});
   cv::Mat3b pixels(sheet.height, sheet.width, reinterpret_cast<cv::Vec3b*>(sheet.rgb.data()));
   const int top = 3 * sizes.em / 2;
-  const std::array texts{labels.reference, labels.test, "error in code values, " + labels.error};
+  const std::array texts{labels.reference, labels.test,
+                         "error in code values, " + rounded(labels.psnr, 2) +
+                             (std::isfinite(labels.psnr) ? " dB" : "")};
   const std::array<const std::vector<std::uint8_t>*, 3> pictures{&reference.rgb, &test.rgb,
                                                                  &colours};
   cv::Rect place(gap, top, reference.width, reference.height);

@@ -12,7 +12,7 @@ namespace hogelscope {
 struct SheetLabels {
   std::string reference = "reference";
   std::string test;
-  std::string error;  ///< after "error in code values, ", such as "31.20 dB"
+  double psnr = 0;  ///< dB, of the pixels seen in both
 };
 
 /// Returns the sheet on white: the reference, the test, their mean absolute error over the three

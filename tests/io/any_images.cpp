@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tests/io/any_images.h"
+
+#include <OpenImageIO/imageio.h>
+
+namespace {
+
+OIIO::TypeDesc::BASETYPE typeOf(PictureType type) {
+  switch (type) {
+    case PictureType::UInt8:
+      return OIIO::TypeDesc::UINT8;
+    case PictureType::UInt16:
+      return OIIO::TypeDesc::UINT16;
+    case PictureType::Half:
+      return OIIO::TypeDesc::HALF;
+    case PictureType::Float:
+      return OIIO::TypeDesc::FLOAT;
+    case PictureType::Double:
+      return OIIO::TypeDesc::DOUBLE;
+    case PictureType::Other:
+      break;
+  }
+  qFatal("no type to write");
+}
+
+PictureType typeOf(const OIIO::TypeDesc& type) {
+  for (const PictureType each : {PictureType::UInt8, PictureType::UInt16, PictureType::Half,
+                                 PictureType::Float, PictureType::Double})
+    if (type == typeOf(each)) return each;
+  return PictureType::Other;
+}
+
+}  // namespace
+
+void writeImageFile(const QString& file, int width, int height, const PictureValue& value,
+                    const PictureKind& kind) {
+  QDir().mkpath(QFileInfo(file).path());
+  OIIO::ImageSpec spec(width, height, kind.channels, typeOf(kind.type));
+  spec.tile_width = spec.tile_height = kind.tile;
+  spec.attribute("oiio:UnassociatedAlpha", 1);  // writes colours unchanged
+  spec.attribute("png:compressionLevel", 1);
+  spec.attribute("pnm:pfmflip", 0);  // OpenImageIO 2.5 would flip PPMs too
+  std::vector<float> values;
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x)
+      for (int c = 0; c < kind.channels; ++c) values.push_back(value(x, y, c));
+  const auto out = OIIO::ImageOutput::create(file.toStdString());
+  if (!out || !out->open(file.toStdString(), spec) ||
+      !out->write_image(OIIO::TypeDesc::FLOAT, values.data()) || !out->close())
+    qFatal("cannot write %s", qPrintable(file));
+}
+
+PictureSpec specOf(const QString& file) {
+  const auto in = OIIO::ImageInput::open(file.toStdString());
+  if (!in) return {};
+  const OIIO::ImageSpec& spec = in->spec();
+  return {spec.width, spec.height, spec.nchannels, typeOf(spec.format)};
+}
+
+template <class T>
+std::vector<T> valuesOf(const QString& file) {
+  const auto in = OIIO::ImageInput::open(file.toStdString());
+  if (!in) return {};
+  const OIIO::ImageSpec& spec = in->spec();
+  std::vector<T> values(spec.image_pixels() * std::size_t(spec.nchannels));
+  const bool isRead =
+      in->read_image(0, 0, 0, spec.nchannels, OIIO::BaseTypeFromC<T>::value, values.data());
+  return isRead && !in->has_error() ? values : std::vector<T>();
+}
+
+template std::vector<unsigned char> valuesOf(const QString&);
+template std::vector<unsigned short> valuesOf(const QString&);
+template std::vector<float> valuesOf(const QString&);
