@@ -8,20 +8,21 @@
 
 #include "core/engine/scaled_view.h"
 #include "core/engine/streaming_renderer.h"
-#include "tests/core/random_scene.h"
+#include "tests/core/random_twin.h"
 #include "tests/core/rendered.h"
 
 using namespace hogelscope;
 
 namespace {
 
-/// Displays with enough rows of hogels for some to be given up while others come.
+/// Displays with enough rows of hogels for some to be given up while others come; twins from 31 on.
 RandomScene sceneOf(std::uint64_t seed) {
   Random random(seed);
   RandomScene scene = randomSampledScene(random);
   scene.job.display.hogels = {random.integer(1, 30), random.integer(1, 60)};
   fillDisplay(random, scene);
   scene.job.state.camera.res = {random.integer(20, 300), random.integer(10, 40)};
+  if (seed > 30) addTwin(random, scene);
   return scene;
 }
 
@@ -118,7 +119,7 @@ class TestFootprint : public QObject {
 
 void TestFootprint::aFetchedViewIsTheView() {
   int seen = 0;
-  for (std::uint64_t seed = 1; seed <= 30; ++seed) {
+  for (std::uint64_t seed = 1; seed <= 60; ++seed) {
     const RandomScene scene = sceneOf(seed);
     const Image whole = rendered(scene.job);
     const RenderJob job = with(scene.job, std::make_shared<Cutter>(*scene.job.lightField));
@@ -131,7 +132,7 @@ void TestFootprint::aFetchedViewIsTheView() {
 void TestFootprint::aPassingViewIsTheView() {
   std::size_t kept = 0;
   std::size_t all = 0;
-  for (std::uint64_t seed = 1; seed <= 30; ++seed) {
+  for (std::uint64_t seed = 1; seed <= 60; ++seed) {
     const RandomScene scene = sceneOf(seed);
     LensTables tables;
     StreamingRenderer passing(streamed(scene.job), tables, serialRows);

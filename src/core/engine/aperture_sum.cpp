@@ -5,6 +5,8 @@
 #include <cmath>
 #include <vector>
 
+#include "core/engine/ray_light.h"
+
 namespace hogelscope {
 
 namespace {
@@ -61,8 +63,7 @@ struct ApertureSum::Scratch {
   LightBatch point{};
   LightBatch sum{};
   std::vector<IdealBatch> ideals;  ///< of the rays from any point
-  CellBatch cells{};
-  TexelFilter::Scratch taps;
+  RayLight::Scratch rays;
   std::array<std::uint8_t, batchSize> seen{};    ///< from one point
   std::array<std::int32_t, batchSize> seeing{};  ///< points that see the display
   MiddleBatch middle{};
@@ -105,8 +106,9 @@ ApertureSum::ApertureSum(const ViewRays& rays, const LightField& texels, const T
   if (!plan.sumsTexels && texels.type() == StoredType::uint8)
     m_bytes = std::get<TexelArray<std::uint8_t>>(texels.texels()).data();
   m_shares = job.sampling.reconstruction == Reconstruction::nearest &&
-             job.sampling.samplesPerPixel == 1 && plan.hasLinearHogels && !job.method.isSingle &&
-             eye.z > m_depth && paysToShare(plan.aperture, plan);
+             job.sampling.samplesPerPixel == 1 && plan.hasLinearHogels && !plan.movesRays &&
+             !plan.changesLight && !job.method.isSingle && eye.z > m_depth &&
+             paysToShare(plan.aperture, plan);
 }
 
 void ApertureSum::row(int y, int x0, int x1, float* rgb, std::uint8_t* seen) const {
@@ -141,12 +143,11 @@ void ApertureSum::addPoint(std::size_t point, int count, Scratch& scratch) const
   scratch.point = {};
   scratch.seen = {};
   const float share = 1 / static_cast<float>(scratch.ideals.size());
+  const RayLight light(m_rays, m_filter);
   for (const IdealBatch& ideals : scratch.ideals) {
-    m_rays.cellsOf(ideals, count, point, scratch.cells);
-    if (!fillUnseen(count, scratch.cells)) continue;
-    m_filter.sum(count, scratch.cells, scratch.taps, scratch.light);
-    addSeen(scratch.light, scratch.cells.seen, share, scratch.point);
-    for (std::size_t k = 0; k < batchSize; ++k) scratch.seen[k] |= scratch.cells.seen[k];
+    if (!light.find(ideals, count, point, scratch.rays, scratch.light)) continue;
+    addSeen(scratch.light, scratch.rays.seen(), share, scratch.point);
+    for (std::size_t k = 0; k < batchSize; ++k) scratch.seen[k] |= scratch.rays.seen()[k];
   }
   if (!m_rays.plan().sumsLinear) decode(scratch.point);
   addSeen(scratch.point, scratch.seen, 1, scratch.sum);
@@ -255,7 +256,7 @@ void ApertureSum::emptyQueue(Scratch& scratch) const {
     findLight(m_bytes, queue.address.data(), queue.count, scratch.light);
   } else {
     for (auto& cell : queue.cells.cell) std::fill(cell.begin() + queue.count, cell.end(), cell[0]);
-    m_filter.sum(queue.count, queue.cells, scratch.taps, scratch.light);
+    m_filter.sum(queue.count, queue.cells, scratch.rays.taps, scratch.light);
     if (!m_rays.plan().sumsLinear) decode(scratch.light);
   }
   for (std::size_t k = 0; k < std::size_t(queue.count); ++k) {

@@ -6,12 +6,13 @@
 #include <cstring>
 
 #include "core/engine/aperture_sum.h"
+#include "core/engine/ray_light.h"
 
 namespace hogelscope {
 
 struct FastSimulation::Scratch {
-  CellBatch cells{};
-  TexelFilter::Scratch taps;
+  IdealBatch ideals{};
+  RayLight::Scratch rays;
   LightBatch sum{};
 };
 
@@ -29,7 +30,8 @@ void FastSimulation::row(int y, int x0, int x1, std::uint8_t* rgb, std::uint8_t*
   if (m_rays.seesNothing()) return;
   if (m_rays.plan().copiesTexels && m_rays.plan().knowsOutline)
     return copyPlainRow(y, x0, x1, rgb, seen);
-  if (m_rays.plan().copiesTexels && m_rays.lens() != nullptr && m_rays.plan().hasLinearHogels)
+  if (m_rays.plan().copiesTexels && m_rays.lens() != nullptr && m_rays.plan().hasLinearHogels &&
+      !m_rays.plan().movesRays)
     return copyRow(y, x0, x1, rgb, seen);
   std::vector<float> sums(3 * count);
   sumRow(y, x0, x1, sums.data(), seen);
@@ -69,16 +71,16 @@ void FastSimulation::sumRow(int y, int x0, int x1, float* rgb, std::uint8_t* see
   const auto [begin, end] =
       m_rays.plan().knowsOutline ? m_rays.seenPart(y, x0, x1) : std::array{x0, x1};
   const auto scratch = std::make_unique<Scratch>();
+  const RayLight light(m_rays, m_filter);
   const float share = 1 / static_cast<float>(m_rays.samplesFrom(0).size());
   for (int first = begin; first < end; first += batchSize) {
     const int count = std::min(batchSize, end - first);
     for (const RaySample& sample : m_rays.samplesFrom(0)) {
-      m_rays.cells(y, first, count, sample, scratch->cells);
-      if (!fillUnseen(count, scratch->cells)) continue;
-      m_filter.sum(count, scratch->cells, scratch->taps, scratch->sum);
+      m_rays.ideals(y, first, count, sample, scratch->ideals);
+      if (!light.find(scratch->ideals, count, 0, scratch->rays, scratch->sum)) continue;
       for (int k = 0; k < count; ++k) {
         const auto ray = std::size_t(k);
-        if (scratch->cells.seen[ray] == 0) continue;
+        if (scratch->rays.seen()[ray] == 0) continue;
         const auto pixel = std::size_t(first - x0) + ray;
         seen[pixel] = 255;
         rgb[3 * pixel] += share * scratch->sum.r[ray];

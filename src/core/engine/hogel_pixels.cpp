@@ -61,7 +61,7 @@ std::vector<RayEnd> rayEnds(const RenderJob& job, std::span<const std::uint8_t> 
   const Progress ofThreads = forThreads(progress);
   const LensRays lens(lensKeyOf(job.state, middle), ofThreads);
   const Camera camera(job.state.camera, job.state.intrinsics);
-  const Display display(job.display);
+  const Display display(job.display, job.twin);
   const RigidTransform toDisplay = display.displayFromWorld() * camera.worldFromCamera();
   const int width = job.state.camera.res[0];
   std::vector<RayEnd> ends(seen.size(), RayEnd::seen);

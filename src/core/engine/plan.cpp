@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <numeric>
 
+#include "core/panel/twin.h"
+
 namespace hogelscope {
 
 namespace {
@@ -51,7 +53,7 @@ double leakageLoss(const PsfParams& psf, int reach) {
 }
 
 Plan plan(const RenderJob& job) {
-  return plan(job, Display(job.display));
+  return plan(job, Display(job.display, job.twin));
 }
 
 Plan plan(const RenderJob& job, const Display& display) {
@@ -66,11 +68,14 @@ Plan plan(const RenderJob& job, const Display& display) {
       LensTable::bytes(job.state.camera.res, sampling.samplesPerPixel) <= LensTables::largestBytes;
   plan.hasLinearHogels = display.lens(0).isLinear() && display.lens(1).isLinear();
   plan.isBehind = isBehind(plan.aperture, job.state, display);
-  plan.knowsOutline = !plan.hasLens && isPinhole && sampling.samplesPerPixel == 1 &&
-                      plan.hasLinearHogels && !plan.isBehind;
+  plan.movesRays = display.twin() != nullptr;
+  plan.splitsColours = plan.movesRays && display.twin()->splitsColours();
+  plan.changesLight = job.twin && job.twin->changesLight();
+  plan.knowsOutline = !plan.hasLens && !plan.movesRays && isPinhole &&
+                      sampling.samplesPerPixel == 1 && plan.hasLinearHogels && !plan.isBehind;
   plan.psfReach = psf.windowSize > 1 ? neededReach(psf, job.method.droppedTaps) : 0;
-  plan.sumsTexels = plan.psfReach > 0 || sampling.samplesPerPixel > 1 ||
-                    sampling.reconstruction != Reconstruction::nearest;
+  plan.sumsTexels = plan.psfReach > 0 || sampling.samplesPerPixel > 1 || plan.changesLight ||
+                    plan.splitsColours || sampling.reconstruction != Reconstruction::nearest;
   plan.sumsLinear = plan.sumsTexels && psf.light == LightModel::linear;
   plan.copiesTexels = isPinhole && !plan.sumsTexels &&
                       job.lightField->type() == StoredType::uint8 && job.lightField->isInMemory();

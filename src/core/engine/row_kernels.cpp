@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <cstring>
+#include <optional>
 
 #include "core/base/multiversioned.h"
+#include "core/panel/twin.h"
 
 namespace hogelscope {
 
@@ -51,6 +53,94 @@ inline RealHit<Real> hitOf(const RealMap<Real>& m, Real x, Real y) {
   const Real b = dy * inverse;
   return {m.constant[0] + m.slope[0] * a, m.constant[1] + m.slope[1] * b,
           m.constant[2] + m.slope[2] * a, m.constant[3] + m.slope[3] * b, dz < 0};
+}
+
+/// The numbers of a twin whose lenses are linear, on a plane.
+template <class Real>
+struct TwinMap : RealMap<Real> {
+  TwinMap(const HitMap& m, std::size_t channel)
+      : RealMap<Real>(m),
+        twin(*m.panel.twin),
+        hogels(twin.hogels().empty() ? nullptr : twin.hogels().data()),
+        scale(static_cast<Real>(twin.scaleOf(channel))) {
+    const LensArrayMap& array = twin.lensArray();
+    const auto pair = [](const std::array<double, 2>& of) {
+      return std::array{static_cast<Real>(of[0]), static_cast<Real>(of[1])};
+    };
+    eye = {static_cast<Real>(m.panel.eye.x), static_cast<Real>(m.panel.eye.y),
+           static_cast<Real>(m.panel.eye.z)};
+    cell = pair(array.cell);
+    cellX = pair(array.cellX);
+    cellY = pair(array.cellY);
+    middle = pair(array.middle);
+    middleI = pair(array.middleI);
+    middleJ = pair(array.middleJ);
+    off = pair({array.middle[0] - array.design[0], array.middle[1] - array.design[1]});
+    offI = pair({array.middleI[0] - array.pitch[0], array.middleI[1]});
+    offJ = pair({array.middleJ[0], array.middleJ[1] + array.pitch[1]});
+    perPitch = pair({1 / array.pitch[0], 1 / array.pitch[1]});
+    perField = pair({1 / array.field[0], 1 / array.field[1]});
+    wedge = pair(array.wedge);
+    gap = static_cast<Real>(1 + array.gap);
+    perFocal = static_cast<Real>(1 / (1 + array.focal));
+    convergence = static_cast<Real>(array.convergence);
+  }
+
+  const Twin& twin;
+  const HogelErrors* hogels;
+  Real scale, gap{}, perFocal{}, convergence{};
+  std::array<Real, 3> eye{};
+  std::array<Real, 2> cell{}, cellX{}, cellY{}, middle{}, middleI{}, middleJ{}, off{}, offI{},
+      offJ{}, perPitch{}, perField{}, wedge{};
+};
+
+/// As Twin::meet().
+template <bool hasHogels, class Real>
+inline __attribute__((always_inline)) RealHit<Real> meet(const TwinMap<Real>& m, Real rayX,
+                                                         Real rayY) {
+  const Real dx = m.right[0] * rayX + m.down[0] * rayY + m.forward[0];
+  const Real dy = m.right[1] * rayX + m.down[1] * rayY + m.forward[1];
+  const Real dz = m.right[2] * rayX + m.down[2] * rayY + m.forward[2];
+  const Real inverse = 1 / dz;
+  const Real a = dx * inverse;
+  const Real b = dy * inverse;
+  const Real x = m.eye[0] - m.eye[2] * a;
+  const Real y = m.eye[1] - m.eye[2] * b;
+  RealHit<Real> h;
+  h.i = m.cell[0] + m.cellX[0] * x + m.cellY[0] * y;
+  h.j = m.cell[1] + m.cellX[1] * x + m.cellY[1] * y;
+  const auto inside = [](Real index, Real count) {
+    const Real least = index > 0 ? index : 0;
+    return static_cast<std::int32_t>(least < count - 1 ? least : count - 1);
+  };
+  const std::int32_t column = inside(h.i, m.count[0]);
+  const std::int32_t row = inside(h.j, m.count[1]);
+  const auto i = static_cast<Real>(column);
+  const auto j = static_cast<Real>(row);
+  Real offX = m.off[0] + i * m.offI[0] + j * m.offJ[0];
+  Real offY = m.off[1] + i * m.offI[1] + j * m.offJ[1];
+  Real gap = m.gap + m.wedge[0] * x + m.wedge[1] * y;
+  Real turnedA = a + m.convergence * x;
+  Real turnedB = b + m.convergence * y;
+  if constexpr (hasHogels) {
+    const HogelErrors& own = m.hogels[row * static_cast<std::int32_t>(m.count[0]) + column];
+    offX += static_cast<Real>(own.shiftX);
+    offY += static_cast<Real>(own.shiftY);
+    gap += static_cast<Real>(own.gap);
+    turnedA -= static_cast<Real>(own.tiltX);
+    turnedB -= static_cast<Real>(own.tiltY);
+  }
+  const Real blur = gap * m.perFocal - 1;
+  const Real fromX = x - (m.middle[0] + i * m.middleI[0] + j * m.middleJ[0]);
+  const Real fromY = y - (m.middle[1] + i * m.middleI[1] + j * m.middleJ[1]);
+  constexpr auto half = static_cast<Real>(0.5);
+  const Real scale = m.scale * gap;
+  h.u =
+      m.count[2] * (half + scale * turnedA * m.perField[0] + (blur * fromX - offX) * m.perPitch[0]);
+  h.v =
+      m.count[3] * (half - scale * turnedB * m.perField[1] - (blur * fromY - offY) * m.perPitch[1]);
+  h.isToward = dz < 0;
+  return h;
 }
 
 /// Whether all indices are in range. It is bitwise on purpose, without branches. Returns false for
@@ -238,6 +328,64 @@ void curvedCells(const HitMap& map, const double* x, const double* y, int count,
   split(found, count, batch);
 }
 
+/// The hits of a twin's surface or lenses, one by one.
+void metCells(const HitMap& map, const double* x, const double* y, int count, std::size_t channel,
+              CellBatch& batch) {
+  const RealMap<double> m(map);
+  IndexBatch<double> found;
+  for (std::size_t k = 0; k < std::size_t(count); ++k) {
+    const auto along = [&](std::size_t c) {
+      return x[k] * map.right[c] + y[k] * map.down[c] + map.forward[c];
+    };
+    const std::optional<Hit> hit =
+        map.panel.twin->meet(map.panel.eye, {along(0), along(1), along(2)}, channel);
+    const Hit met = hit.value_or(Hit{});
+    keep(m, RealHit<double>{met.i, met.j, met.u, met.v, hit.has_value()}, k, found);
+  }
+  split(found, count, batch);
+}
+
+template <bool hasHogels, class Real>
+inline __attribute__((always_inline)) void twinCellsIn(const HitMap& map, const double* x,
+                                                       const double* y, int count,
+                                                       std::size_t channel, CellBatch& batch) {
+  const TwinMap<Real> m(map, channel);
+  IndexBatch<Real> found;
+  if (m.twin.movesHits()) {
+    for (std::size_t k = 0; k < std::size_t(count); ++k) {
+      RealHit<Real> h = meet<hasHogels>(m, static_cast<Real>(x[k]), static_cast<Real>(y[k]));
+      const Hit moved = m.twin.moved({double(h.i), double(h.j), double(h.u), double(h.v)});
+      h = {static_cast<Real>(moved.i), static_cast<Real>(moved.j), static_cast<Real>(moved.u),
+           static_cast<Real>(moved.v), h.isToward};
+      keep(m, h, k, found);
+    }
+  } else {
+    for (std::size_t k = 0; k < std::size_t(count); ++k)
+      keep(m, meet<hasHogels>(m, static_cast<Real>(x[k]), static_cast<Real>(y[k])), k, found);
+  }
+  split(found, count, batch);
+}
+
+MULTIVERSIONED
+void simpleCells(const HitMap& map, const double* x, const double* y, int count,
+                 std::size_t channel, CellBatch& batch) {
+  const bool hasHogels = !map.panel.twin->hogels().empty();
+  if (map.isSingle)
+    hasHogels ? twinCellsIn<true, float>(map, x, y, count, channel, batch)
+              : twinCellsIn<false, float>(map, x, y, count, channel, batch);
+  else
+    hasHogels ? twinCellsIn<true, double>(map, x, y, count, channel, batch)
+              : twinCellsIn<false, double>(map, x, y, count, channel, batch);
+}
+
+void twinCells(const HitMap& map, const double* x, const double* y, int count, std::size_t channel,
+               CellBatch& batch) {
+  if (map.panel.twin->isSimple())
+    simpleCells(map, x, y, count, channel, batch);
+  else
+    metCells(map, x, y, count, channel, batch);
+}
+
 }  // namespace
 
 MULTIVERSIONED
@@ -258,8 +406,11 @@ void copyRays(const HitMap& map, const BlockLayout& layout, const Texel<std::uin
     copyTexels<Rays::any, double>(map, layout, texels, x, y, count, rgb, seen);
 }
 
-void findCells(const HitMap& map, const double* x, const double* y, int count, CellBatch& batch) {
-  if (map.panel.lenses[0] == nullptr)
+void findCells(const HitMap& map, const double* x, const double* y, int count, CellBatch& batch,
+               std::size_t channel) {
+  if (map.panel.twin != nullptr)
+    twinCells(map, x, y, count, channel, batch);
+  else if (map.panel.lenses[0] == nullptr)
     linearCells(map, x, y, count, batch);
   else if (map.isSingle)
     curvedCells<float>(map, x, y, count, batch);

@@ -8,7 +8,7 @@
 
 #include "core/light_field/block_layout.h"
 #include "core/light_field/light_field.h"
-#include "core/panel/panel_map.h"
+#include "core/panel/display.h"
 
 namespace hogelscope {
 
@@ -38,9 +38,9 @@ struct CellBatch {
 /// borders. Returns false if there is none.
 bool fillUnseen(int count, CellBatch& batch);
 
-/// Copies the texels of rays that are known to hit, by a map of linear hogel lenses, from a light
-/// field that is all in memory: three bytes each. A coordinate that rounding has put on a border
-/// belongs to the last cell.
+/// Copies the texels of rays that are known to hit a design, by a map of linear hogel lenses, from
+/// a light field that is all in memory: three bytes each. A coordinate that rounding has put on a
+/// border belongs to the last cell.
 void copyHits(const HitMap& map, const BlockLayout& layout, const Texel<std::uint8_t>* texels,
               const double* x, double y, int count, std::uint8_t* rgb);
 
@@ -49,7 +49,9 @@ void copyHits(const HitMap& map, const BlockLayout& layout, const Texel<std::uin
 void copyRays(const HitMap& map, const BlockLayout& layout, const Texel<std::uint8_t>* texels,
               const double* x, const double* y, int count, std::uint8_t* rgb, std::uint8_t* seen);
 
-/// Fills a batch; cell 0 where nothing is seen.
-void findCells(const HitMap& map, const double* x, const double* y, int count, CellBatch& batch);
+/// Fills a batch with the cells of one colour of a twin, of which others have the same; cell 0
+/// where nothing is seen.
+void findCells(const HitMap& map, const double* x, const double* y, int count, CellBatch& batch,
+               std::size_t channel = green);
 
 }  // namespace hogelscope

@@ -87,7 +87,7 @@ void markBox(const std::array<CellRange, 4>& box, const SliceLayout& layout,
 
 ViewRays::ViewRays(const RenderJob& job, LensTables& tables, const ParallelRows& parallelRows,
                    const Progress& progress)
-    : m_job(job), m_progress(forThreads(progress)), m_display(job.display) {
+    : m_job(job), m_progress(forThreads(progress)), m_display(job.display, job.twin) {
   const Camera camera(job.state.camera, job.state.intrinsics);
   checkContent(job);
   m_plan = hogelscope::plan(job, m_display);
@@ -167,12 +167,12 @@ void ViewRays::ideals(int y, int x0, int count, const RaySample& sample, IdealBa
   }
 }
 
-void ViewRays::cellsOf(const IdealBatch& ideals, int count, std::size_t point,
-                       CellBatch& batch) const {
+void ViewRays::cellsOf(const IdealBatch& ideals, int count, std::size_t point, CellBatch& batch,
+                       std::size_t channel) const {
   if (seesNothing())
     std::fill_n(batch.seen.begin(), count, std::uint8_t{0});
   else
-    findCells(m_maps[point], ideals.x, ideals.y, count, batch);
+    findCells(m_maps[point], ideals.x, ideals.y, count, batch, channel);
 }
 
 void ViewRays::cells(int y, int x0, int count, const RaySample& sample, CellBatch& batch) const {
@@ -213,10 +213,11 @@ void ViewRays::eachBatch(int y, int x0, int x1, const Use& use) const {
     const int count = std::min(batchSize, x1 - x);
     for (const RaySample& sample : samplesFrom(0)) {
       ideals(y, x, count, sample, made);
-      for (std::size_t point = 0; point < points(); ++point) {
-        cellsOf(made, count, point, batch);
-        use(static_cast<std::size_t>(count), batch);
-      }
+      for (std::size_t point = 0; point < points(); ++point)
+        for (std::size_t channel = 0; channel < (m_plan.splitsColours ? 3 : 1); ++channel) {
+          cellsOf(made, count, point, batch, channel);
+          use(static_cast<std::size_t>(count), batch);
+        }
     }
   }
 }
@@ -277,8 +278,8 @@ void ViewRays::mark(int y, const SliceLayout& layout, std::vector<std::uint8_t>&
 /// view then reads its whole footprint.
 bool ViewRays::isSeparable() const {
   const HitMap& map = m_maps.front();
-  return !m_plan.hasLens && points() == 1 && map.right[1] == 0 && map.right[2] == 0 &&
-         map.down[0] == 0 && map.down[2] == 0;
+  return !m_plan.hasLens && !m_plan.movesRays && points() == 1 && map.right[1] == 0 &&
+         map.right[2] == 0 && map.down[0] == 0 && map.down[2] == 0;
 }
 
 ViewReads ViewRays::reads(const ParallelRows& parallelRows) const {

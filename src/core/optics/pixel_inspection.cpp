@@ -30,7 +30,7 @@ PixelTrace pixelTrace(const RenderJob& job, int x, int y) {
     result.target = result.eye;
     return result;
   }
-  const Display display(job.display);
+  const Display display(job.display, job.twin);
   const Vec3 direction = camera.worldFromCamera().direction({p->x, p->y, 1});
   const Vec3 eye = display.displayFromWorld().point(result.eye);
   const Vec3 way = display.displayFromWorld().direction(direction);

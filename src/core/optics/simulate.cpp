@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/base/error.h"
+#include "core/panel/twin.h"
 
 namespace hogelscope {
 
@@ -37,11 +38,18 @@ std::optional<Vec2> idealPoint(const Distortion& distortion, LensMapping mapping
 void checkContent(const RenderJob& job) {
   if (!job.lightField) throw InputError("lightField", "is not loaded");
   (void)resolved(job.display, job.lightField->size());
+  if (!job.twin) return;
+  if (job.twin->changesLight() && job.state.psf.light != LightModel::linear)
+    throw InputError("psf.light", "must be \"linear\", because the twin scales or adds light");
+  if (!job.twin->hogels().empty() && job.sampling.reconstruction == Reconstruction::quadrilinear)
+    throw InputError("sampling.reconstruction",
+                     "cannot be \"quadrilinear\", because the twin's hogels send light into "
+                     "directions of their own");
 }
 
 Simulation::Simulation(RenderJob job)
     : m_job(std::move(job)),
-      m_display(m_job.display),
+      m_display(m_job.display, m_job.twin),
       m_camera(m_job.state.camera, m_job.state.intrinsics),
       m_distortion(m_job.state.distortion),
       m_psf(m_job.state.psf),
@@ -54,8 +62,19 @@ Simulation::Simulation(RenderJob job)
                                  fromPoint(m_camera.worldFromCamera(), point));
 }
 
-std::optional<Hit> Simulation::hitOf(const Vec2& ideal, const RigidTransform& from) const {
-  return m_display.hit(from.origin, from.direction({ideal.x, ideal.y, 1}));
+/// Returns the hits of red, green and blue; none unless all see the display.
+std::optional<std::array<Hit, 3>> Simulation::hitsOf(const Vec2& ideal,
+                                                     const RigidTransform& from) const {
+  const bool isSplit = m_display.twin() != nullptr && m_display.twin()->splitsColours();
+  const Vec3 direction = from.direction({ideal.x, ideal.y, 1});
+  std::array<Hit, 3> hits;
+  for (std::size_t channel = 0; channel < 3; ++channel) {
+    const std::optional<Hit> hit =
+        channel == 0 || isSplit ? m_display.hit(from.origin, direction, channel) : hits[0];
+    if (!hit) return std::nullopt;
+    hits[channel] = *hit;
+  }
+  return hits;
 }
 
 Rgb Simulation::reconstructed(const Hit& hit) const {
@@ -82,6 +101,14 @@ Rgb Simulation::reconstructed(const Hit& hit) const {
   return sum;
 }
 
+/// Returns the light that a ray's pixels send.
+Rgb Simulation::sent(const std::array<Hit, 3>& hits) const {
+  const bool isSplit = m_display.twin() != nullptr && m_display.twin()->splitsColours();
+  Rgb light = reconstructed(hits[0]);
+  if (isSplit) light = {light.r, reconstructed(hits[1]).g, reconstructed(hits[2]).b};
+  return m_job.twin && m_job.twin->changesLight() ? m_job.twin->lit(hits, light) : light;
+}
+
 /// Averages the pixel's rays from one point of the aperture.
 std::optional<Rgb> Simulation::lightFrom(const RigidTransform& point, int x, int y) const {
   bool seen = false;
@@ -89,9 +116,9 @@ std::optional<Rgb> Simulation::lightFrom(const RigidTransform& point, int x, int
   for (const RaySample& sample : m_samples) {
     const Vec2 onSensor = m_camera.normalised(x + sample.place.x - 0.5, y + sample.place.y - 0.5);
     const std::optional<Vec2> ideal = idealPoint(m_distortion, m_job.sampling.mapping, onSensor);
-    const std::optional<Hit> hit = ideal ? hitOf(*ideal, point) : std::nullopt;
-    seen = seen || hit;
-    if (hit) sum = sum + reconstructed(*hit);
+    const auto hits = ideal ? hitsOf(*ideal, point) : std::nullopt;
+    seen = seen || hits;
+    if (hits) sum = sum + sent(*hits);
   }
   if (!seen) return std::nullopt;
   const auto rays = double(m_samples.size());

@@ -3,6 +3,7 @@
 // without optimisations, written to be read beside docs/formulas.md.
 #pragma once
 
+#include <array>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -22,11 +23,13 @@ struct RenderJob {
   Method method{};       ///< for the fast engine; the reference engine ignores it
   bool isIdeal = false;  ///< Renderer then makes the ideal view, see ideal_view.h
   int bits = 8;  ///< bits of the image's values, see Image; for Renderer and StreamingRenderer
-  bool keepsUnrounded = false;  ///< the image also has its unrounded values; for the same
+  bool keepsUnrounded = false;         ///< the image also has its unrounded values; for the same
+  std::shared_ptr<const Twin> twin{};  ///< the unit that is seen; null: the display as designed
   bool operator==(const RenderJob&) const = default;
 };
 
-/// Throws InputError if the view has no light field, or one that is not the display's size.
+/// Throws InputError if the view has no light field, or one that is not the display's size, or if
+/// its twin needs another psf.light or sampling.reconstruction.
 void checkContent(const RenderJob& job);
 
 /// The light of a pixel in code values.
@@ -53,9 +56,11 @@ class Simulation {
   void render(int x, int y, Image& image) const;
 
  private:
-  [[nodiscard]] std::optional<Hit> hitOf(const Vec2& ideal, const RigidTransform& from) const;
+  [[nodiscard]] std::optional<std::array<Hit, 3>> hitsOf(const Vec2& ideal,
+                                                         const RigidTransform& from) const;
   [[nodiscard]] std::optional<Rgb> lightFrom(const RigidTransform& point, int x, int y) const;
   [[nodiscard]] Rgb reconstructed(const Hit& hit) const;
+  [[nodiscard]] Rgb sent(const std::array<Hit, 3>& hits) const;
 
   RenderJob m_job;
   Display m_display;

@@ -4,6 +4,9 @@
 
 #include <cmath>
 #include <numbers>
+#include <utility>
+
+#include "core/panel/twin.h"
 
 namespace hogelscope {
 
@@ -49,14 +52,18 @@ EyePlace eyePlaceOf(const DisplayParams& display, const Vec3& point) {
           std::atan2(p.x, p.z) * degrees};
 }
 
-Display::Display(const PanelParams& params)
+Display::Display(const PanelParams& params, std::shared_ptr<const Twin> twin)
     : m_params(params),
       m_size{params.hogels[0], params.hogels[1], params.directions[0], params.directions[1]},
       m_displayFromWorld(transformFromPose(params.position, params.orientation).inverse()),
       m_lenses{lensOf(params, 0), lensOf(params, 1)},
-      m_convergence(params.viewingDistance > 0 ? 1 / params.viewingDistance : 0) {}
+      m_convergence(params.viewingDistance > 0 ? 1 / params.viewingDistance : 0) {
+  if (twin && twin->movesRays()) m_twin = std::move(twin);
+}
 
-std::optional<Hit> Display::intersectPlane(const Vec3& eye, const Vec3& direction) const {
+std::optional<Hit> Display::intersectPlane(const Vec3& eye, const Vec3& direction,
+                                           std::size_t channel) const {
+  if (m_twin) return m_twin->meet(eye, direction, channel);
   if (!(eye.z > 0 && direction.z < 0)) return std::nullopt;
   const double a = direction.x / direction.z;
   const double b = direction.y / direction.z;
@@ -78,6 +85,8 @@ PanelMap Display::mapFrom(const Vec3& eye) const {
   const double turned = 1 - m_convergence * eye.z;
   PanelMap map;
   map.count = {nx, ny, du, dv};
+  map.twin = m_twin.get();
+  map.eye = eye;
   map.constant = {(eye.x / panel[0] + 0.5) * nx, (0.5 - eye.y / panel[1]) * ny,
                   m_convergence * eye.x, m_convergence * eye.y};
   map.slope = {-eye.z / panel[0] * nx, eye.z / panel[1] * ny, turned, turned};
@@ -102,8 +111,8 @@ bool Display::isInField(const Hit& place) const {
   return inside(place.u, m_size.du) && inside(place.v, m_size.dv);
 }
 
-std::optional<Hit> Display::hit(const Vec3& eye, const Vec3& direction) const {
-  const std::optional<Hit> there = intersectPlane(eye, direction);
+std::optional<Hit> Display::hit(const Vec3& eye, const Vec3& direction, std::size_t channel) const {
+  const std::optional<Hit> there = intersectPlane(eye, direction, channel);
   return there && isOnPanel(*there) && isInField(*there) ? there : std::nullopt;
 }
 
@@ -116,6 +125,7 @@ Vec2 Display::position(double i, double j) const {
 }
 
 PanelRay Display::rayOf(const TexelIndex& at) const {
+  if (m_twin) return m_twin->rayOf(at.i, at.j, at.u + 0.5, at.v + 0.5, green);
   const Vec2 place = position(at.i + 0.5, at.j + 0.5);
   const Vec2 middle = slopes(at.u + 0.5, at.v + 0.5);
   const Vec2 turned = turn(place);

@@ -57,6 +57,9 @@ struct PanelRay {
   Vec2 slopes;
 };
 
+/// The channel of a twin's rays that stands for all.
+constexpr std::size_t green = 1;
+
 /// The real-valued indices at which a ray meets the display; floor gives the hogel and direction.
 struct Hit {
   double i = 0;
@@ -65,27 +68,34 @@ struct Hit {
   double v = 0;
 };
 
+class Twin;
+
 /// The panel's geometry, which rays are intersected with. If the light field has a viewing
 /// distance, all hogels' fields coincide on the plane at that distance, and a direction (u, v) is a
 /// point of it: the slopes of a direction then depend on the hogel's position.
 class Display {
  public:
-  /// `params.hogels` and `params.directions` must be given. Throws InputError as lensOf() does.
-  explicit Display(const PanelParams& params);
+  /// `params.hogels` and `params.directions` must be given. With a twin rays meet the unit that was
+  /// built. Throws InputError as lensOf() does.
+  explicit Display(const PanelParams& params, std::shared_ptr<const Twin> twin = nullptr);
 
   [[nodiscard]] const LightFieldSize& size() const { return m_size; }
   [[nodiscard]] const RigidTransform& displayFromWorld() const { return m_displayFromWorld; }
+  /// Null for a display as designed.
+  [[nodiscard]] const Twin* twin() const { return m_twin.get(); }
   /// Returns the hogels' lens across (axis 0, u) or down (axis 1, v).
   [[nodiscard]] const HogelLens& lens(std::size_t axis) const { return *m_lenses[axis]; }
 
   /// Returns the hit of a ray from an eye, both in the display frame (docs/formulas.md, Hit).
   /// Returns none if the eye is not in front of the panel, or the ray points away from it, misses
-  /// it, or lies outside the hogel's angular field.
-  [[nodiscard]] std::optional<Hit> hit(const Vec3& eye, const Vec3& direction) const;
+  /// it, or lies outside the hogel's angular field. Colours of a twin may have hits of their own.
+  [[nodiscard]] std::optional<Hit> hit(const Vec3& eye, const Vec3& direction,
+                                       std::size_t channel = green) const;
 
   /// Returns the hit with the panel's plane, also beyond the panel and the angular field. Returns
   /// none if the eye is not in front of the plane or the ray points away from it.
-  [[nodiscard]] std::optional<Hit> intersectPlane(const Vec3& eye, const Vec3& direction) const;
+  [[nodiscard]] std::optional<Hit> intersectPlane(const Vec3& eye, const Vec3& direction,
+                                                  std::size_t channel = green) const;
   [[nodiscard]] bool isOnPanel(const Hit& place) const;
   [[nodiscard]] bool isInField(const Hit& place) const;
 
@@ -105,7 +115,7 @@ class Display {
   [[nodiscard]] Vec2 position(double i, double j) const;
 
   /// Returns the ray from the middle of a hogel through the middle of a directional pixel: the
-  /// inverse of hit(), for content.
+  /// inverse of hit(), for content. A twin's is that of green light.
   [[nodiscard]] PanelRay rayOf(const TexelIndex& at) const;
 
  private:
@@ -114,6 +124,7 @@ class Display {
   RigidTransform m_displayFromWorld;
   std::array<std::shared_ptr<const HogelLens>, 2> m_lenses;
   double m_convergence;
+  std::shared_ptr<const Twin> m_twin;  ///< only if it moves rays
 };
 
 }  // namespace hogelscope

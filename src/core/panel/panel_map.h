@@ -4,9 +4,12 @@
 
 #include <array>
 
+#include "core/base/geometry.h"
 #include "core/panel/hogel_lens.h"
 
 namespace hogelscope {
+
+class Twin;
 
 /// Gives the real-valued hogel (i, j) and direction (u, v) that a ray from one eye meets, from its
 /// slopes a = dx/dz and b = dy/dz in the display frame: `constant` + `slope`·a for i and u, ·b for
@@ -18,6 +21,9 @@ struct PanelMap {
   /// The hogels' lenses across and down, where they are not linear: u and v of the map are then the
   /// slopes that the lenses take. Null where they are linear.
   std::array<const HogelLens*, 2> lenses{};
+  /// The unit that rays meet instead, in the same way as Twin::meet(); null: the design.
+  const Twin* twin = nullptr;
+  Vec3 eye;  ///< in the display frame, metres
 };
 
 }  // namespace hogelscope

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The light of a batch of rays from one point of an aperture: their cells, the texels there, and
+// what a twin makes of their light.
+#pragma once
+
+#include <array>
+
+#include "core/engine/texel_filter.h"
+#include "core/engine/view_rays.h"
+
+namespace hogelscope {
+
+class RayLight {
+ public:
+  /// Working memory of one thread.
+  struct Scratch {
+    std::array<CellBatch, 3>
+        cells{};  ///< of red, green, blue; the first alone if all have the same
+    TexelFilter::Scratch taps;
+    LightBatch channel{};
+    /// Which rays see the display.
+    [[nodiscard]] const std::array<std::uint8_t, batchSize>& seen() const { return cells[0].seen; }
+  };
+
+  /// Refers to its parameters, which must outlive this object.
+  RayLight(const ViewRays& rays, const TexelFilter& filter) : m_rays(rays), m_filter(filter) {}
+
+  /// Finds the light of `count` rays, as TexelFilter::sum() does; undefined where `scratch.seen()`
+  /// is 0. Returns false if no ray sees the display.
+  bool find(const IdealBatch& ideals, int count, std::size_t point, Scratch& scratch,
+            LightBatch& light) const;
+
+ private:
+  void change(int count, const Scratch& scratch, LightBatch& light) const;
+
+  const ViewRays& m_rays;
+  const TexelFilter& m_filter;
+};
+
+}  // namespace hogelscope

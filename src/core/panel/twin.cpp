@@ -1,0 +1,370 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The twin's map and light, written to be read beside docs/formulas.md, Twin.
+#include "core/panel/twin.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <tuple>
+#include <utility>
+
+#include "core/base/error.h"
+#include "core/panel/random_field.h"
+
+namespace hogelscope {
+
+namespace {
+
+/// The draws of a seed.
+enum Draw : std::uint32_t { drawnShiftX, drawnShiftY, drawnGain };
+
+/// A place between the middles of two of `count` cells: the first one, and the share of the second,
+/// which is beyond 0 … 1 outside the outermost middles.
+struct Between {
+  int first;
+  double share;
+};
+
+Between between(double place, int count) {
+  if (count == 1) return {0, 0};
+  const double at = place * count - 0.5;
+  const int first = static_cast<int>(std::clamp(std::floor(at), 0.0, double(count - 2)));
+  return {first, at - first};
+}
+
+/// The bilinear function of a plane around a place.
+struct Bilinear {
+  Bilinear(const TwinPlane& plane, const Between& i, const Between& j) {
+    const int right = std::min(i.first + 1, plane.width - 1);
+    const int below = std::min(j.first + 1, plane.height - 1);
+    const auto at = [&](int column, int row) {
+      return double(
+          plane.values[std::size_t(row) * std::size_t(plane.width) + std::size_t(column)]);
+    };
+    const double top = at(i.first, j.first);
+    const double bottom = at(i.first, below);
+    const double alongTop = at(right, j.first) - top;
+    const double alongBottom = at(right, below) - bottom;
+    value = (1 - j.share) * (top + i.share * alongTop) + j.share * (bottom + i.share * alongBottom);
+    across = (1 - j.share) * alongTop + j.share * alongBottom;
+    down = bottom + i.share * alongBottom - top - i.share * alongTop;
+  }
+  double value;
+  double across;  ///< for each cell
+  double down;
+};
+
+Between within(Between place) {
+  place.share = std::clamp(place.share, 0.0, 1.0);
+  return place;
+}
+
+/// The surface at a place, metres, and its slopes.
+struct SurfacePoint {
+  double z = 0;
+  double slopeX = 0;
+  double slopeY = 0;
+};
+
+/// Beyond the middles of the outermost cells the surface goes straight on to the panel's borders.
+SurfacePoint surfaceAt(const TwinPlane& height, const std::array<double, 2>& size, double x,
+                       double y) {
+  if (height.isEmpty()) return {};
+  const Bilinear at(height, between(std::clamp(x / size[0] + 0.5, 0.0, 1.0), height.width),
+                    between(std::clamp(0.5 - y / size[1], 0.0, 1.0), height.height));
+  return {at.value, at.across * height.width / size[0], -at.down * height.height / size[1]};
+}
+
+bool isOutside(double index, int count) {
+  return !(index >= 0 && index < count);
+}
+
+}  // namespace
+
+double TwinPlane::at(double x, double y) const {
+  return Bilinear(*this, within(between(x, width)), within(between(y, height))).value;
+}
+
+float TwinPlane::atCell(int i, int j, int nx, int ny) const {
+  if (isEmpty()) return 0;
+  if (width == nx && height == ny) return values[std::size_t(j) * std::size_t(nx) + std::size_t(i)];
+  return static_cast<float>(at((i + 0.5) / nx, (j + 0.5) / ny));
+}
+
+Twin::Twin(TwinParams params, TwinMaps maps, const PanelParams& design)
+    : m_params(std::move(params)),
+      m_maps(std::move(maps)),
+      m_design(design),
+      m_lenses{lensOf(design, 0), lensOf(design, 1)} {
+  prepareArray();
+  prepareHogels();
+  checkDirections();
+  const auto& [scale, wavelengths] = m_params.colour;
+  m_splitsColours = scale[0] != scale[1] || scale[1] != scale[2];
+  m_movesRays = m_params.lensArray != LensArrayErrors{} || !m_hogels.empty() ||
+                scale != ColourErrors{}.scale || !m_maps.height.isEmpty() || movesDirections();
+  const auto& [black, ambient, falloff, bits, eotf, fill] = m_params.light;
+  const LightErrors none;
+  m_changesLight = black != none.black || ambient != none.ambient || falloff != none.falloff ||
+                   fill != none.fill || !m_gains.empty() ||
+                   std::ranges::any_of(m_maps.directionGain,
+                                       [](const TwinPlane& gain) { return !gain.isEmpty(); });
+}
+
+void Twin::prepareArray() {
+  const LensArrayErrors& errors = m_params.lensArray;
+  const auto& [width, height] = m_design.size;
+  const auto [nx, ny] = m_design.hogels;
+  const std::array pitch{width / nx, height / ny};
+  const double cosine = std::cos(radians(errors.rotation));
+  const double sine = std::sin(radians(errors.rotation));
+  const auto [ex, ey] = errors.pitchError;
+  // The array's place of a place of the design, and the inverse.
+  const auto moved = [&](double x, double y) {
+    return std::array{cosine * (1 + ex) * x - sine * (1 + ey) * y,
+                      sine * (1 + ex) * x + cosine * (1 + ey) * y};
+  };
+  const auto movedBack = [&](double x, double y) {
+    return std::array{(cosine * x + sine * y) / (1 + ex), (cosine * y - sine * x) / (1 + ey)};
+  };
+  const auto cells = [&](const std::array<double, 2>& place) {
+    return std::array{place[0] / pitch[0], -place[1] / pitch[1]};
+  };
+  const auto [left, up] = cells(movedBack(errors.offset[0], errors.offset[1]));
+  m_array.cell = {nx / 2.0 - left, ny / 2.0 - up};
+  m_array.cellX = cells(movedBack(1, 0));
+  m_array.cellY = cells(movedBack(0, 1));
+  m_array.pitch = pitch;
+  m_array.design = {pitch[0] * (0.5 - nx / 2.0), pitch[1] * (ny / 2.0 - 0.5)};
+  m_array.middle = moved(m_array.design[0], m_array.design[1]);
+  for (std::size_t axis = 0; axis < 2; ++axis) m_array.middle[axis] += errors.offset[axis];
+  m_array.middleI = moved(pitch[0], 0);
+  m_array.middleJ = moved(0, -pitch[1]);
+  m_array.wedge = {errors.wedge[0] / width, errors.wedge[1] / height};
+  if (m_lenses[0]->isLinear() && m_lenses[1]->isLinear())
+    m_array.field = {m_lenses[0]->slopeOf(1), m_lenses[1]->slopeOf(1)};
+  m_array.convergence = m_design.viewingDistance > 0 ? 1 / m_design.viewingDistance : 0;
+  m_array.gap = errors.gapError;
+  m_array.focal = errors.focalError;
+}
+
+void Twin::prepareHogels() {
+  const auto [nx, ny] = m_design.hogels;
+  const auto& [seed, shift, gain] = m_params.random;
+  const auto draws = [&, nx = nx, ny = ny](Draw what, const RandomErrors& errors) {
+    return errors.sigma > 0 ? randomField(std::uint32_t(seed), what, errors.length, {0, 0, nx, ny})
+                            : std::vector<float>{};
+  };
+  const std::vector<float> drawnX = draws(drawnShiftX, shift);
+  const std::vector<float> drawnY = draws(drawnShiftY, shift);
+  const std::vector<float> drawn = draws(drawnGain, gain);
+  const bool hasGains = !drawn.empty() || std::ranges::any_of(m_maps.gain, [](const TwinPlane& g) {
+    return !g.isEmpty();
+  });
+  const bool hasErrors = !drawnX.empty() || !m_maps.shiftX.isEmpty() || !m_maps.shiftY.isEmpty() ||
+                         !m_maps.tiltX.isEmpty() || !m_maps.tiltY.isEmpty() ||
+                         !m_maps.gap.isEmpty();
+  for (int j = 0; j < ny; ++j)
+    for (int i = 0; i < nx; ++i) {
+      const std::size_t at = std::size_t(j) * std::size_t(nx) + std::size_t(i);
+      const auto given = [&, nx = nx, ny = ny](const TwinPlane& plane) {
+        return plane.atCell(i, j, nx, ny);
+      };
+      const auto sigma = static_cast<float>(shift.sigma);
+      if (hasErrors)
+        m_hogels.push_back({given(m_maps.shiftX) + (drawnX.empty() ? 0 : sigma * drawnX[at]),
+                            given(m_maps.shiftY) + (drawnY.empty() ? 0 : sigma * drawnY[at]),
+                            given(m_maps.tiltX), given(m_maps.tiltY), given(m_maps.gap)});
+      if (!hasGains) continue;
+      const float factor = drawn.empty() ? 1 : 1 + static_cast<float>(gain.sigma) * drawn[at];
+      auto& gains = m_gains.emplace_back();
+      for (std::size_t c = 0; c < 3; ++c)
+        gains[c] = std::max(0.0F, factor) * (m_maps.gain[c].isEmpty() ? 1 : given(m_maps.gain[c]));
+    }
+}
+
+/// The move m of a direction, and how it grows for each direction across and down.
+struct Twin::Move {
+  Vec2 m;
+  Vec2 across;
+  Vec2 down;
+  [[nodiscard]] double determinant() const {
+    return (1 + across.x) * (1 + down.y) - down.x * across.y;
+  }
+};
+
+Twin::Move Twin::moveAt(double u, double v) const {
+  const auto [du, dv] = m_design.directions;
+  Move move;
+  const auto find = [&, du = du, dv = dv](const TwinPlane& plane, double Vec2::*axis) {
+    if (plane.isEmpty()) return;
+    const Between i = between(u / du, plane.width);
+    const Between j = between(v / dv, plane.height);
+    const Bilinear at(plane, within(i), within(j));
+    move.m.*axis = at.value;
+    if (i.share == within(i).share) move.across.*axis = at.across * plane.width / du;
+    if (j.share == within(j).share) move.down.*axis = at.down * plane.height / dv;
+  };
+  find(m_maps.moveU, &Vec2::x);
+  find(m_maps.moveV, &Vec2::y);
+  return move;
+}
+
+/// The determinant of a bilinear map is linear along both axes, so that it is least in a corner.
+void Twin::checkDirections() const {
+  const TwinPlane& plane = m_maps.moveU.isEmpty() ? m_maps.moveV : m_maps.moveU;
+  const auto [du, dv] = m_design.directions;
+  constexpr double inside = 1e-9;  // of a cell, from its corners
+  for (int row = 0; row < plane.height; ++row)
+    for (int column = 0; column < plane.width; ++column)
+      for (const double x : {-inside, inside})
+        for (const double y : {-inside, inside}) {
+          const double u = (column + 0.5 + x) / plane.width * du;
+          const double v = (row + 0.5 + y) / plane.height * dv;
+          if (!(moveAt(u, v).determinant() > 0))
+            throw InputError("twin.maps.directions",
+                             "folds near direction (" + std::to_string(int(u)) + ", " +
+                                 std::to_string(int(v)) +
+                                 "): two pixels would send light into one direction");
+        }
+}
+
+HogelErrors Twin::errorsOf(int i, int j) const {
+  if (m_hogels.empty()) return {};
+  const auto [nx, ny] = m_design.hogels;
+  return m_hogels[std::size_t(std::clamp(j, 0, ny - 1)) * std::size_t(nx) +
+                  std::size_t(std::clamp(i, 0, nx - 1))];
+}
+
+std::optional<Hit> Twin::meet(const Vec3& eye, const Vec3& direction, std::size_t channel) const {
+  if (!(eye.z > 0 && direction.z < 0)) return std::nullopt;
+  double a = direction.x / direction.z;
+  double b = direction.y / direction.z;
+  double x = eye.x - eye.z * a;
+  double y = eye.y - eye.z * b;
+  if (!std::isfinite(x) || !std::isfinite(y)) return std::nullopt;  // along the panel
+  if (!m_maps.height.isEmpty()) {
+    SurfacePoint surface;
+    for (int step = 0; step < 100; ++step) {
+      surface = surfaceAt(m_maps.height, m_design.size, x, y);
+      const double nextX = eye.x - (eye.z - surface.z) * a;
+      const double nextY = eye.y - (eye.z - surface.z) * b;
+      const double moved = std::max(std::abs(nextX - x), std::abs(nextY - y));
+      std::tie(x, y) = std::pair(nextX, nextY);
+      if (moved < 1e-12) break;
+    }
+    if (!(eye.z > surface.z)) return std::nullopt;
+    a += surface.slopeX;
+    b += surface.slopeY;
+  }
+  const auto& [cell, cellX, cellY, middle, middleI, middleJ, design, pitch, wedge, field, gap0,
+               focal, convergence] = m_array;
+  const auto [du, dv] = m_design.directions;
+  Hit hit;
+  hit.i = cell[0] + cellX[0] * x + cellY[0] * y;
+  hit.j = cell[1] + cellX[1] * x + cellY[1] * y;
+  const double i = std::floor(hit.i);
+  const double j = std::floor(hit.j);
+  const Vec2 lens{middle[0] + i * middleI[0] + j * middleJ[0],
+                  middle[1] + i * middleI[1] + j * middleJ[1]};
+  const auto [nx, ny] = m_design.hogels;
+  const HogelErrors own = errorsOf(static_cast<int>(std::clamp(i, 0.0, double(nx))),
+                                   static_cast<int>(std::clamp(j, 0.0, double(ny))));
+  const Vec2 off{lens.x - (design[0] + i * pitch[0]) + double(own.shiftX),
+                 lens.y - (design[1] - j * pitch[1]) + double(own.shiftY)};
+  const double gap = gap0 + wedge[0] * x + wedge[1] * y + double(own.gap);
+  const double blur = (1 + gap) / (1 + focal) - 1;
+  const double scale = scaleOf(channel) * (1 + gap);
+  const double turnedA = a - double(own.tiltX) + convergence * x;
+  const double turnedB = b - double(own.tiltY) + convergence * y;
+  hit.u = du * (0.5 + scale * m_lenses[0]->directionOf(turnedA) +
+                (blur * (x - lens.x) - off.x) / pitch[0]);
+  hit.v = dv * (0.5 - scale * m_lenses[1]->directionOf(turnedB) -
+                (blur * (y - lens.y) - off.y) / pitch[1]);
+  return moved(hit);
+}
+
+/// Newton's steps. The map is bilinear between the middles of its cells and does not fold, so that
+/// few are needed.
+Vec2 Twin::solved(const Vec2& designed) const {
+  Vec2 found = designed;
+  for (int step = 0; step < 50; ++step) {
+    const Move move = moveAt(found.x, found.y);
+    const double restU = designed.x - found.x - move.m.x;
+    const double restV = designed.y - found.y - move.m.y;
+    const double determinant = move.determinant();
+    const double stepU = (restU * (1 + move.down.y) - restV * move.down.x) / determinant;
+    const double stepV = (restV * (1 + move.across.x) - restU * move.across.y) / determinant;
+    found.x += stepU;
+    found.y += stepV;
+    if (std::max(std::abs(stepU), std::abs(stepV)) < 1e-9) break;
+  }
+  return found;
+}
+
+Hit Twin::moved(Hit hit) const {
+  const auto [nx, ny] = m_design.hogels;
+  const auto [du, dv] = m_design.directions;
+  if (isOutside(hit.i, nx) || isOutside(hit.j, ny)) return hit;
+  if (movesDirections()) {
+    const Vec2 found = solved({hit.u, hit.v});
+    hit.u = found.x;
+    hit.v = found.y;
+  }
+  if (m_params.lensArray.outside == OutsideField::dark) return hit;
+  const double aside = std::floor(hit.u / du);
+  const double below = std::floor(hit.v / dv);
+  hit.i -= aside;
+  hit.u -= aside * du;
+  hit.j -= below;
+  hit.v -= below * dv;
+  return hit;
+}
+
+PanelRay Twin::rayOf(int i, int j, double u, double v, std::size_t channel) const {
+  const auto& array = m_array;
+  const auto [du, dv] = m_design.directions;
+  const Vec2 lens{array.middle[0] + i * array.middleI[0] + j * array.middleJ[0],
+                  array.middle[1] + i * array.middleI[1] + j * array.middleJ[1]};
+  const HogelErrors own = errorsOf(i, j);
+  const Vec2 off{lens.x - (array.design[0] + i * array.pitch[0]) + double(own.shiftX),
+                 lens.y - (array.design[1] - j * array.pitch[1]) + double(own.shiftY)};
+  const double gap =
+      array.gap + array.wedge[0] * lens.x + array.wedge[1] * lens.y + double(own.gap);
+  const double scale = scaleOf(channel) * (1 + gap);
+  const Vec2 move = moveAt(u, v).m;
+  const double acrossField = (u + move.x) / du - 0.5 + off.x / array.pitch[0];
+  const double upField = 0.5 - (v + move.y) / dv + off.y / array.pitch[1];
+  const SurfacePoint surface = surfaceAt(m_maps.height, m_design.size, lens.x, lens.y);
+  const double a = m_lenses[0]->slopeOf(acrossField / scale) + double(own.tiltX) -
+                   array.convergence * lens.x - surface.slopeX;
+  const double b = m_lenses[1]->slopeOf(upField / scale) + double(own.tiltY) -
+                   array.convergence * lens.y - surface.slopeY;
+  return {{lens.x - surface.z * a, lens.y - surface.z * b}, {a, b}};
+}
+
+Rgb Twin::lit(const std::array<Hit, 3>& hits, const Rgb& content) const {
+  const LightErrors& light = m_params.light;
+  const auto [nx, ny] = m_design.hogels;
+  const auto [du, dv] = m_design.directions;
+  const auto of = [&, nx = nx, du = du, dv = dv](std::size_t c, double value) {
+    const Hit& hit = hits[c];
+    double factor = 1 - light.black;
+    if (!m_gains.empty())
+      factor *= double(m_gains[std::size_t(hit.j) * std::size_t(nx) + std::size_t(hit.i)][c]);
+    if (!m_maps.directionGain[c].isEmpty())
+      factor *= m_maps.directionGain[c].at(hit.u / du, hit.v / dv);
+    if (light.falloff != 0) {
+      const double a = m_lenses[0]->slopeOf(hit.u / du - 0.5);
+      const double b = m_lenses[1]->slopeOf(0.5 - hit.v / dv);
+      factor *= std::pow(1 + a * a + b * b, -light.falloff / 2);
+    }
+    const double fromMiddleU = std::abs(hit.u - std::floor(hit.u) - 0.5);
+    const double fromMiddleV = std::abs(hit.v - std::floor(hit.v) - 0.5);
+    if (2 * fromMiddleU > light.fill[0] || 2 * fromMiddleV > light.fill[1]) factor = 0;
+    return light.black + factor * value + light.ambient[c];
+  };
+  return {of(0, content.r), of(1, content.g), of(2, content.b)};
+}
+
+}  // namespace hogelscope

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A twin: one unit of a display as it was built. It says which directional pixel a ray meets, and
+// how much light that sends (docs/formulas.md, Twin).
+#pragma once
+
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "core/panel/display.h"
+#include "core/panel/twin_params.h"
+
+namespace hogelscope {
+
+/// Measured values, row by row from the top; empty if nothing was measured.
+struct TwinPlane {
+  int width = 0;
+  int height = 0;
+  std::vector<float> values;  ///< width·height
+
+  [[nodiscard]] bool isEmpty() const { return values.empty(); }
+  /// Returns the value at cell (i, j) of a grid of nx × ny cells over the same area: the plane's
+  /// own if it has as many, else bilinear between the middles of its cells.
+  [[nodiscard]] float atCell(int i, int j, int nx, int ny) const;
+  /// Returns the value at (x, y), 0 … 1 from the left and the top: bilinear between the middles of
+  /// its cells, beyond which it stays the same.
+  [[nodiscard]] double at(double x, double y) const;
+};
+
+/// The maps of TwinMapFiles. Lengths are metres; x is to the viewer's right, y upwards.
+struct TwinMaps {
+  TwinPlane shiftX, shiftY;  ///< of each hogel's lens
+  TwinPlane tiltX, tiltY;    ///< slopes
+  TwinPlane gap;             ///< gap error
+  std::array<TwinPlane, 3> gain;
+  TwinPlane moveU, moveV;  ///< over the directions: how many pixels of the design a pixel is off
+  TwinPlane sigma;         ///< over the directions: standard deviation of the leakage, px
+  std::array<TwinPlane, 3> directionGain;
+  TwinPlane height;  ///< of the panel's surface, over the panel
+};
+
+/// How a hogel's lens differs from the array's. The shifts are metres, the tilts slopes.
+struct HogelErrors {
+  float shiftX = 0;
+  float shiftY = 0;
+  float tiltX = 0;
+  float tiltY = 0;
+  float gap = 0;
+};
+
+/// The lens array, as numbers of an affine map: of two numbers, the first is across, the second
+/// down (of hogels) or up (of metres).
+struct LensArrayMap {
+  std::array<double, 2> cell{};     ///< hogel (i, j) of the panel's middle
+  std::array<double, 2> cellX{};    ///< by which (i, j) grow for each metre to the right
+  std::array<double, 2> cellY{};    ///< and up
+  std::array<double, 2> middle{};   ///< middle of the lens of hogel (0, 0), metres
+  std::array<double, 2> middleI{};  ///< by which it moves for each hogel to the right
+  std::array<double, 2> middleJ{};  ///< and down
+  std::array<double, 2> design{};   ///< middle of hogel (0, 0) as designed
+  std::array<double, 2> pitch{};    ///< as designed; the second is down
+  std::array<double, 2> wedge{};    ///< gap error for each metre to the right, and up
+  std::array<double, 2> field{};    ///< slopes of the whole field, 2 tan(F/2); of linear lenses
+  double gap = 0;                   ///< gap error in the middle
+  double focal = 0;                 ///< focal error
+  double convergence = 0;           ///< 1/viewingDistance
+};
+
+class Twin {
+ public:
+  /// `design` has its hogels and directions. Throws InputError (twin.…) if a map folds.
+  Twin(TwinParams params, TwinMaps maps, const PanelParams& design);
+  [[nodiscard]] const TwinParams& params() const { return m_params; }
+
+  /// Whether rays meet other pixels than in the design.
+  [[nodiscard]] bool movesRays() const { return m_movesRays; }
+  /// Whether red, green and blue of a ray meet different pixels.
+  [[nodiscard]] bool splitsColours() const { return m_splitsColours; }
+  /// Whether the surface is the plane z = 0 and the hogels' lenses are linear, so that lensArray()
+  /// and hogels() are all of meet() but for moved().
+  [[nodiscard]] bool isSimple() const { return m_maps.height.isEmpty() && m_array.field[0] > 0; }
+  /// Whether moved() changes hits.
+  [[nodiscard]] bool movesHits() const {
+    return movesDirections() || m_params.lensArray.outside != OutsideField::dark;
+  }
+  /// Whether pixels send other light than the content's.
+  [[nodiscard]] bool changesLight() const { return m_changesLight; }
+
+  /// Returns the factor of a colour's index: 1 + χ.
+  [[nodiscard]] double scaleOf(std::size_t channel) const {
+    return 1 + m_params.colour.scale[channel];
+  }
+  [[nodiscard]] const LensArrayMap& lensArray() const { return m_array; }
+  /// Returns the errors of each hogel, row by row; empty if all are 0.
+  [[nodiscard]] const std::vector<HogelErrors>& hogels() const { return m_hogels; }
+
+  /// Returns what a ray of one colour meets, in the display frame; also beyond the panel and the
+  /// field. None if the eye is not in front of the panel or the ray points away from it.
+  [[nodiscard]] std::optional<Hit> meet(const Vec3& eye, const Vec3& direction,
+                                        std::size_t channel) const;
+  /// Returns the ray that leaves the middle of a hogel's lens with a real-valued direction, as one
+  /// colour: the inverse of meet(). Its position is where it passes z = 0.
+  [[nodiscard]] PanelRay rayOf(int i, int j, double u, double v, std::size_t channel) const;
+
+  /// Returns a hit on the array after the directions' map, and at the neighbour that is seen in
+  /// place of what lies outside the field. A hit beside the array stays.
+  [[nodiscard]] Hit moved(Hit hit) const;
+
+  /// Returns the light of a ray, linear 0 … 1, whose pixels send `content`. `hits` are those of its
+  /// colours.
+  [[nodiscard]] Rgb lit(const std::array<Hit, 3>& hits, const Rgb& content) const;
+
+ private:
+  void prepareArray();
+  void prepareHogels();
+  [[nodiscard]] HogelErrors errorsOf(int i, int j) const;
+  [[nodiscard]] std::array<float, 3> gainOf(int i, int j) const;
+  struct Move;
+  [[nodiscard]] bool movesDirections() const {
+    return !m_maps.moveU.isEmpty() || !m_maps.moveV.isEmpty();
+  }
+  [[nodiscard]] Vec2 solved(const Vec2& designed) const;
+  [[nodiscard]] Move moveAt(double u, double v) const;
+  void checkDirections() const;
+
+  TwinParams m_params;
+  TwinMaps m_maps;
+  PanelParams m_design;
+  std::array<std::shared_ptr<const HogelLens>, 2> m_lenses;
+  LensArrayMap m_array;
+  std::vector<HogelErrors> m_hogels;
+  std::vector<std::array<float, 3>> m_gains;
+  bool m_movesRays = false;
+  bool m_splitsColours = false;
+  bool m_changesLight = false;
+};
+
+}  // namespace hogelscope
