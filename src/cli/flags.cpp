@@ -61,6 +61,12 @@ FlagGroup inputs() {
         .value = "FILE",
         .jobs = {stability},
         .help = "Adds lenses: a JSON list of cameras, or one OpenCV calibration."},
+       {.name = "twin",
+        .value = "FILE",
+        .jobs = {render, report},
+        .mayRepeat = true,
+        .help = "The unit that is seen, in place of the session's own twin or of the display as "
+                "designed. With --report --against, repeat it for more: each is a test."},
        {.name = "plugins-path",
         .value = "DIR",
         .jobs = {window, render, report, makeCameras, generate, pack, exportAs, tradeoff, measure,
@@ -172,11 +178,12 @@ FlagGroup comparison() {
         .help = "A light field to compare with the session's: an image, a folder, a store, or a "
                 "session, whose display comes with it. Repeat it for more."},
        {.name = "against",
-        .value = "ideal",
+        .value = "ideal|design",
         .jobs = {report},
-        .choices = {"ideal"},
-        .help = "The reference is the ideal view of the session's live scene: what the eye would "
-                "see of it without the display. The display is then the first test."},
+        .choices = {"ideal", "design"},
+        .help = "ideal: the reference is the ideal view of the session's live scene, what the eye "
+                "would see of it without the display; the display is then the first test. design: "
+                "the reference is the display as designed, and each --twin is a test."},
        {.name = "fail-below",
         .value = "DB",
         .jobs = {report},

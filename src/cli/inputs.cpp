@@ -3,6 +3,7 @@
 
 #include <fnmatch.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 
@@ -11,6 +12,7 @@
 #include "core/base/error.h"
 #include "core/base/text.h"
 #include "io/documents/session_file.h"
+#include "io/documents/twin_file.h"
 #include "io/files/folders.h"
 #include "io/opening/opening.h"
 
@@ -87,7 +89,26 @@ Session loadSessionOf(const CommandLine& line) {
   Session session = isAround ? sessionAroundFile(line) : checkedSession(line, calibration);
   if (isAround && calibration)
     for (CameraState& state : session.cameras) apply(*calibration, state);
-  return session;
+  const bool mayHaveTwin = line.mayHave("twin") && line.has("twin");
+  if (!mayHaveTwin || (line.mayHave("against") && line.has("against"))) return session;
+  if (const auto twins = line.texts("twin"); twins.size() > 1)
+    throw InputError("command line", "--twin",
+                     "is given " + std::to_string(twins.size()) +
+                         " times; one unit is seen, and --report --against design compares more");
+  return withTwin(session, line.text("twin"), line);
+}
+
+Session withTwin(const Session& session, const std::string& file, const CommandLine& line) {
+  Session built = session;
+  built.twinFile = file;
+  built.twin = loadTwin(file);
+  std::vector<std::string> changes;
+  for (const std::string& change : line.texts("set"))
+    if (change.starts_with("twin.")) changes.push_back(change);
+  return inFile(file, [&] {
+    check(built);
+    return overridden(built, changes);
+  });
 }
 
 void keepSession(const CommandLine& line, const Session& session) {
@@ -147,7 +168,7 @@ void warnOfPupils(const PanelParams& display, const Session& session, const Comm
 std::vector<std::filesystem::path> inputFiles(std::vector<std::filesystem::path> others,
                                               const Session& session,
                                               const LightFieldFile& lightField) {
-  for (const std::string& file : session.display.lensParams.files()) others.emplace_back(file);
+  std::ranges::copy(displayFiles(session), std::back_inserter(others));
   for (const std::filesystem::path& file : lightField.files()) others.push_back(file);
   return others;
 }

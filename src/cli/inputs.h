@@ -21,6 +21,10 @@ namespace hogelscope {
 /// goes to stderr. Throws InputError, or Cancelled.
 Session loadSessionOf(const CommandLine& line);
 
+/// Returns the session with the twin of a document, and the job's --set of twin.* over it. Throws
+/// InputError.
+Session withTwin(const Session& session, const std::string& file, const CommandLine& line);
+
 /// Writes the session to --save-session if that is given. Throws InputError.
 void keepSession(const CommandLine& line, const Session& session);
 

@@ -185,9 +185,7 @@ std::string keyOf(const SweepRequest& request, const Progress& progress) {
   for (const Design& design : designsOf(request.table))
     for (const std::string& one : overridesOf(request.table, design)) text += "\n" + one;
   for (const std::string& figure : request.table.figures) text += "\n" + figure;
-  std::vector<std::filesystem::path> files;
-  for (const std::string& file : request.session.display.lensParams.files())
-    files.emplace_back(file);
+  std::vector<std::filesystem::path> files = displayFiles(request.session);
   if (std::ranges::any_of(request.table.figures, needsViews)) {
     const auto light =
         openLightField(request.session.lightField, request.session.display, progress);

@@ -22,6 +22,12 @@ std::string contentOf(const LightFieldFile& file, FileHashes& hashes, const Prog
   return file.files().empty() ? "" : "XXH3-128 " + hashes.of(file.files(), progress);
 }
 
+/// Returns the session's document with its twin in it.
+std::string contentOf(Session session) {
+  session.twinFile.clear();
+  return textOf(session);
+}
+
 /// Returns a text such as "scene.png, 64×64 hogels of 32×32 directions, XXH3-128 …".
 std::string described(const LightFieldParams& lightField, const LightFieldSize& size,
                       const std::string& hash) {
@@ -52,8 +58,9 @@ std::string timeNow() {
 ReportFacts factsOf(const ReportRequest& request, FileHashes& hashes, const Progress& progress) {
   const Session& session = request.session;
   ReportFacts facts;
-  std::string all = versionsLine() + textOf(session) + (request.images ? "images" : "") +
-                    (request.isAgainstIdeal ? "ideal" : "");
+  std::string all = versionsLine() + contentOf(session) + (request.images ? "images" : "") +
+                    (request.isAgainstIdeal ? "ideal" : "") +
+                    (request.isAgainstDesign ? "design" : "");
   const auto line = [&](const std::string& name, const std::string& value) {
     facts.lines.push_back({name, value});
   };
@@ -62,8 +69,8 @@ ReportFacts factsOf(const ReportRequest& request, FileHashes& hashes, const Prog
     const std::string hash = contentOf(file, hashes, progress);
     line(name, described(of.lightField, file.size(), hash));
     all += hash;
-    const std::vector<std::string> lens = of.display.lensParams.files();
-    if (!lens.empty()) all += hashes.of({lens.begin(), lens.end()}, progress);
+    const auto files = displayFiles(of);
+    if (!files.empty()) all += hashes.of(files, progress);
   };
   if (!request.sessionFile.empty())
     line("Session",
@@ -71,12 +78,14 @@ ReportFacts factsOf(const ReportRequest& request, FileHashes& hashes, const Prog
   lightField("Light field", session, *request.file);
   if (request.isAgainstIdeal)
     line("Reference", "ideal view: the scene itself, without the display");
+  if (request.isAgainstDesign)
+    line("Reference", "the display as designed; the tests are units as they were built");
   for (const ReportTest& test : request.tests) {
     lightField(request.tests.size() == 1 ? "Test light field" : "Test " + test.name, test.session,
                *test.file);
     Session other = test.session;
     other.cameras.clear();
-    all += textOf(other);
+    all += contentOf(other);
   }
   for (std::size_t k = MetricSet().columns().size(); k < request.metrics.columns().size(); ++k)
     all += request.metrics.columns()[k].name + "\n";

@@ -35,9 +35,11 @@ struct ReportRequest {
   std::vector<RateGroup> groups;
   MetricSet metrics{};
   bool isAgainstIdeal = false;  ///< the reference is the ideal view of a live scene
-  std::string output;           ///< the output folder, created if missing
-  std::string command;          ///< the command that requested the report, for its page
-  bool images = false;          ///< also write every image
+  /// The tests are twins of the session's display, of which moveMetric() is the last metric.
+  bool isAgainstDesign = false;
+  std::string output;   ///< the output folder, created if missing
+  std::string command;  ///< the command that requested the report, for its page
+  bool images = false;  ///< also write every image
   /// The part of one of several processes: its states' rows and sums stay in the folder for the run
   /// without a shard, which writes the report.
   std::optional<Shard> shard{};

@@ -11,6 +11,7 @@
 #include "core/base/parallel.h"
 #include "core/base/progress.h"
 #include "core/base/text.h"
+#include "io/documents/session_file.h"
 #include "io/files/atomic_file.h"
 #include "io/files/folders.h"
 #include "io/opening/session_around.h"
@@ -18,6 +19,7 @@
 #include "report/panel_projection.h"
 #include "report/report_facts.h"
 #include "report/report_files.h"
+#include "report/report_moves.h"
 #include "report/view_pairs.h"
 
 namespace hogelscope {
@@ -166,6 +168,9 @@ void ReportRun::compareState(std::size_t test, std::size_t state, std::size_t wo
       });
     else
       row.problem = seesNothing;
+    if (m_request.isAgainstDesign && row.problem.empty())
+      std::ranges::copy(moveValues(m_pairs.moves(state, worker, m_progress.within())),
+                        row.values.end() - 2);
   }
   const std::size_t index = rowOf(test, state);
   m_rows.add(index, {row.values, row.problem}, [&] {
@@ -276,7 +281,8 @@ void ReportRun::writeAll() {
                   certifyAll(m_request.session, m_progress.within()),
                   std::move(m_views),
                   {},
-                  warningsOf(m_request)};
+                  warningsOf(m_request),
+                  harmlessMoves(m_report.summaries, m_request.metrics)};
   for (std::size_t test = 0; test < m_projections.size(); ++test) {
     page.panels.push_back(writePanelError(m_folder, test, m_request, m_projections[test]->error(),
                                           m_viewErrors[test], display));
@@ -338,11 +344,11 @@ namespace {
 void checkFiles(const ReportRequest& request) {
   std::vector<fs::path> inputs{request.sessionFile};
   std::ranges::copy(request.file->files(), std::back_inserter(inputs));
-  std::ranges::copy(request.session.display.lensParams.files(), std::back_inserter(inputs));
+  std::ranges::copy(displayFiles(request.session), std::back_inserter(inputs));
   for (const ReportTest& test : request.tests) {
     inputs.emplace_back(test.name);
     std::ranges::copy(test.file->files(), std::back_inserter(inputs));
-    std::ranges::copy(test.session.display.lensParams.files(), std::back_inserter(inputs));
+    std::ranges::copy(displayFiles(test.session), std::back_inserter(inputs));
   }
   checkOutputs(filesOf(request), inputs);
 }

@@ -98,6 +98,12 @@ std::vector<double> ViewPairs::viewErrors(const Progress& progress) const {
   return hogelscope::viewErrors(*ours.overview(), *others.overview(), parallelRows, progress);
 }
 
+RayMoves ViewPairs::moves(std::size_t state, std::size_t worker, const Progress& progress) {
+  const RenderJob job = m_test->job(state);
+  Renderer& renderer = m_renderers[worker];
+  return job.twin ? movesOf(job, renderer.tables(), renderer.rows(), progress) : RayMoves{};
+}
+
 Viewing ViewPairs::viewing(std::size_t state) const {
   return viewingOf(m_session.cameras[state], reference().display, reference().sampling.mapping);
 }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "campaign/state_images.h"
+#include "core/engine/ray_moves.h"
 #include "core/optics/viewing.h"
 #include "report/report_request.h"
 
@@ -46,6 +47,8 @@ class ViewPairs {
   /// Cancelled.
   [[nodiscard]] std::vector<double> viewErrors(const Progress& progress) const;
   [[nodiscard]] RenderJob job(std::size_t state) const { return m_reference->job(state); }
+  /// Returns how far the rays of a state move on the test, a twin. Throws Cancelled.
+  [[nodiscard]] RayMoves moves(std::size_t state, std::size_t worker, const Progress& progress);
   [[nodiscard]] const ViewSource& reference() const { return m_reference->source(); }
   [[nodiscard]] const ViewSource& test() const { return m_test->source(); }
   /// Returns the viewing geometry of a state's reference.

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <iostream>
 #include <iterator>
+#include <set>
 
 #include "cli/explain.h"
 #include "cli/inputs.h"
@@ -20,6 +21,7 @@
 #include "io/plugins/metric_plugins.h"
 #include "report/page/report_tables.h"
 #include "report/report_facts.h"
+#include "report/report_moves.h"
 #include "report/report_run.h"
 
 namespace hogelscope {
@@ -137,6 +139,35 @@ std::vector<RateGroup> rateGroups(const CommandLine& line, const std::vector<Rep
   return groups;
 }
 
+/// Adds the units of --twin as tests: their files' names are the tests' names.
+void addTwins(const CommandLine& line, ReportRequest& request) {
+  std::set<std::string> names;
+  for (const std::string& file : line.texts("twin")) {
+    const std::string name = fs::path(file).filename().string();
+    if (!names.insert(fs::path(file).stem().string()).second)
+      throw InputError("command line", "--twin " + file,
+                       "has the name of another twin: name their files differently");
+    request.tests.push_back({name, withTwin(request.session, file, line), request.file});
+  }
+}
+
+/// Makes the session's own twin, or those of --twin, tests of the display as designed.
+void compareWithDesign(const CommandLine& line, ReportRequest& request) {
+  request.isAgainstDesign = true;
+  const Session built = request.session;
+  request.session.twin = {};
+  request.session.twinFile.clear();
+  if (line.has("twin"))
+    addTwins(line, request);
+  else if (!built.twin.isZero())
+    request.tests.push_back(
+        {built.twinFile.empty() ? "twin" : fs::path(built.twinFile).filename().string(), built,
+         request.file});
+  else
+    throw InputError("command line", "--against design",
+                     "needs a unit to compare: --twin FILE, or a session with a twin");
+}
+
 /// Returns a text such as "400 views: 62 % of the time rendering, 12 % metrics, 3 % images".
 std::string timesText(const Report& report) {
   const double all = report.rendering + report.comparing + report.writing;
@@ -181,14 +212,18 @@ int runReport(const CommandLine& line) {
   const Session session = loadSelected(line);
   request.session = withEyes(session);
   request.file = openLightField(request.session.lightField, request.session.display);
-  request.isAgainstIdeal = line.has("against");
+  request.isAgainstIdeal = line.text("against", "") == "ideal";
   if (request.isAgainstIdeal) {
     requireLive(request.session);
     request.tests.push_back({"display", request.session, request.file});
+    addTwins(line, request);
+  } else if (line.has("against")) {
+    compareWithDesign(line, request);
   }
   std::ranges::move(openTests(request.session, line.texts("test")),
                     std::back_inserter(request.tests));
-  request.metrics = metricsOf(request.session.metrics);
+  request.metrics = request.isAgainstDesign ? metricsOf(request.session.metrics, {moveMetric()})
+                                            : metricsOf(request.session.metrics);
   request.groups = rateGroups(line, request.tests);
   request.output = line.text("output");
   request.command = line.shellText;
@@ -223,9 +258,11 @@ int runReport(const CommandLine& line) {
     std::cout << (request.tests.size() == 1
                       ? summaryText(report.summaries.front().summary, report.rows)
                       : testsText(report.summaries))
-              << bdText(report.comparisons, request.metrics) << timesText(report) << "report in "
-              << printable((folder / "report.html").string()) << " and "
-              << printable((folder / "report.csv").string()) << "\n";
+              << bdText(report.comparisons, request.metrics);
+    for (const std::string& note : harmlessMoves(report.summaries, request.metrics))
+      std::cout << note << "\n";
+    std::cout << timesText(report) << "report in " << printable((folder / "report.html").string())
+              << " and " << printable((folder / "report.csv").string()) << "\n";
   }
   return checkGate(report.rows, line.number("fail-below"));
 }

@@ -24,8 +24,7 @@ int runSweep(const CommandLine& line) {
   request.shard = shardOf(line);
   const std::filesystem::path folder = request.output;
   std::vector<std::filesystem::path> inputs{line.subject, request.name, line.text("calibration")};
-  for (const std::string& file : request.session.display.lensParams.files())
-    inputs.emplace_back(file);
+  std::ranges::copy(displayFiles(request.session), std::back_inserter(inputs));
   checkOutputs({folder / "sweep.csv", folder / "sweep.html"}, inputs);
   keepSession(line, request.session);
   ProgressBar bar("measuring designs", isQuiet);

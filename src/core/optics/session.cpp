@@ -37,6 +37,13 @@ void checkEyeNames(const std::vector<CameraState>& states,
   }
 }
 
+/// Throws if the state's light cannot be scaled or added to as the twin does.
+void checkLight(const CameraState& state, const TwinParams& twin, const std::string& path) {
+  if (twin.changesLight() && state.psf.light != LightModel::linear)
+    throw InputError(path + ".psf.light",
+                     "must be \"linear\", because the twin scales or adds light");
+}
+
 /// Throws if a state's pupil is focused on the panel, which its axis does not meet.
 void checkFocus(const CameraState& state, const DisplayParams& display, const std::string& path) {
   const PupilParams& pupil = state.pupil;
@@ -106,6 +113,7 @@ void check(const Session& session) {
     const CameraState& state = session.cameras[index];
     check(state, statePath(index));
     checkFocus(state, session.display, statePath(index));
+    checkLight(state, session.twin, statePath(index));
     const auto [first, isNew] = seen.emplace(caseFolded(state.camera.name), index);
     if (isNew) continue;
     const std::string& other = session.cameras[first->second].camera.name;

@@ -13,6 +13,7 @@
 #include "core/optics/sampling.h"
 #include "core/panel/depth_budget.h"
 #include "core/panel/display.h"
+#include "core/panel/twin_params.h"
 
 namespace hogelscope {
 
@@ -29,6 +30,8 @@ struct CameraState {
 
 struct Session {
   DisplayParams display;
+  TwinParams twin;       ///< the unit that is seen
+  std::string twinFile;  ///< the document that names it, which must say the same; "": none
   LightFieldParams lightField;
   SamplingParams sampling;
   DepthParams depth;

@@ -6,7 +6,7 @@ namespace hogelscope {
 namespace {
 constexpr std::array<std::string_view, 2> outsideNames{"dark", "neighbour"};
 constexpr std::array<std::string_view, 4> eotfNames{"srgb", "gamma22", "gamma24", "linear"};
-constexpr Range part{-0.9, 9, 0.001, false, -0.05, 0.05};
+constexpr Range smallPart{-0.9, 9, 0.001, false, -0.05, 0.05};
 }  // namespace
 
 void describe(ParameterVisitor& v, LensArrayErrors& p) {
@@ -19,12 +19,12 @@ void describe(ParameterVisitor& v, LensArrayErrors& p) {
   v.field("pitchError", pitchError, {-0.5, 1, 1e-5, false, -0.01, 0.01}, "",
           "By which part its lenses stand too far apart, across and down.");
   v.field(
-      "gapError", gapError, part, "",
+      "gapError", gapError, smallPart, "",
       "By which part the gap between pixels and lenses is too large: depth is stretched by it.");
-  v.field("wedge", wedge, part, "",
+  v.field("wedge", wedge, smallPart, "",
           "Gap error that grows from side to side: its difference from left to right, and from "
           "bottom to top.");
-  v.field("focalError", focalError, part, "",
+  v.field("focalError", focalError, smallPart, "",
           "By which part the focal length is too large: the lenses are out of focus.");
   v.field("outside", outside, outsideNames,
           "Light for which the hogel has no pixel: none, or that of the neighbour's pixel, as side "
@@ -99,6 +99,13 @@ void describe(ParameterVisitor& v, RandomShift& p) {
 void describe(ParameterVisitor& v, RandomGain& p) {
   v.group("twin.random.gain", "Drawn gains of each hogel, of all colours together.");
   describeDraw(v, p, "");
+}
+
+std::vector<std::string*> TwinMapFiles::files() {
+  std::vector<std::string*> given;
+  for (std::string* const file : {&hogels, &directions, &kernels, &height})
+    if (!file->empty()) given.push_back(file);
+  return given;
 }
 
 bool TwinParams::isZero() const {

@@ -86,6 +86,8 @@ struct TwinMapFiles {
   std::string directions;
   std::string kernels;
   std::string height;
+  /// Returns those that are given, to be changed.
+  [[nodiscard]] std::vector<std::string*> files();
   bool operator==(const TwinMapFiles&) const = default;
 };
 
@@ -102,6 +104,10 @@ struct TwinParams {
 
   /// Whether the unit is as designed: no parameter that does something by itself differs.
   [[nodiscard]] bool isZero() const;
+  /// Whether it scales or adds light, without what its maps say: psf.light must then be "linear".
+  [[nodiscard]] bool changesLight() const {
+    return light != LightErrors{} || random.gain.sigma > 0;
+  }
 };
 
 void describe(ParameterVisitor& v, LensArrayErrors& p);

@@ -8,6 +8,7 @@
 #include "core/base/text.h"
 #include "core/cameras/state_list_edits.h"
 #include "io/documents/light_field_params.h"
+#include "io/documents/twin_file.h"
 #include "io/files/atomic_file.h"
 #include "io/files/folders.h"
 #include "io/json/json_parameters.h"
@@ -21,8 +22,8 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr int documentVersion = 1;
-constexpr std::array<std::string_view, 4> sharedSections{"display", "lightField", "sampling",
-                                                         "depth"};
+constexpr std::array<std::string_view, 5> sharedSections{"display", "twin", "lightField",
+                                                         "sampling", "depth"};
 constexpr std::array<std::string_view, 6> stateSections{"camera", "intrinsics", "pupil",
                                                         "stereo", "distortion", "psf"};
 
@@ -90,6 +91,7 @@ Session readSession(const Json& document) {
   checkVersion(reader.section("hogelscope"));
   if (const Json* display = reader.section("display"); display != nullptr)
     session.display = readDisplay(*display);
+  if (const Json* twin = reader.section("twin"); twin != nullptr) session.twin = readTwin(*twin);
   if (const Json* lightField = reader.section("lightField"); lightField != nullptr)
     session.lightField = readLightField(*lightField);
   readSection(reader, "sampling", session.sampling);
@@ -132,8 +134,8 @@ void applyOverride(Json& document, const std::string& text) {
   if (!isOneOf(stateSections))
     throw InputError("override " + text,
                      "there is no section \"" + section +
-                         "\": display, lightField, sampling, depth, camera, intrinsics, pupil, "
-                         "stereo, distortion, psf");
+                         "\": display, twin, lightField, sampling, depth, camera, intrinsics, "
+                         "pupil, stereo, distortion, psf");
   if (!document.is_object() || !document.contains("cameras")) return;
   for (Json& state : document["cameras"]) {
     if (!state.is_object()) continue;
@@ -177,27 +179,6 @@ void applyCalibration(Json& document, const Calibration& calibration) {
   }
 }
 
-/// Returns a file name in a document that lies in `folder` relative to the current folder.
-std::string besideDocument(const fs::path& folder, const std::string& file) {
-  std::error_code error;
-  const fs::path joined = folder / file;
-  fs::path shorter = joined.lexically_normal();
-  if (!shorter.has_filename()) shorter = shorter.parent_path();  // "views/" is "views"
-  // ".." after a link leads to another folder than its text.
-  const bool isSame = !fs::exists(joined, error) || fs::equivalent(joined, shorter, error);
-  return isSame ? shorter.string() : joined.string();
-}
-
-/// Returns `file` relative to the document's folder.
-std::string relativeTo(const fs::path& document, const std::string& file) {
-  if (file.empty()) return {};
-  std::error_code error;
-  const fs::path folder = fs::weakly_canonical(fs::absolute(document, error).parent_path(), error);
-  const fs::path target = fs::weakly_canonical(fs::absolute(file, error), error);
-  const fs::path relative = target.lexically_relative(folder);
-  return relative.empty() ? target.string() : relative.string();
-}
-
 /// Applies a change to all file names of a session.
 template <class Change>
 void changeFiles(Session& session, const Change& change) {
@@ -206,7 +187,21 @@ void changeFiles(Session& session, const Change& change) {
        {&lightField.file, &lightField.lenslets.white, &lightField.lenslets.dark})
     if (!own->empty()) *own = change(*own);
   lightField.content.changeFiles(change);
+  for (std::string* const own : session.twin.maps.files()) *own = change(*own);
+  if (!session.twinFile.empty()) session.twinFile = change(session.twinFile);
   session.display.lensParams.changeFiles(change);
+}
+
+/// Reads a document with overrides. A twin's own document is kept unless it is overridden.
+Session readOverridden(Json& document, const std::vector<std::string>& overrides,
+                       const fs::path& folder) {
+  const std::string twinFile = embedTwin(document, folder);
+  for (const std::string& change : overrides) applyOverride(document, change);
+  Session session = readSession(document);
+  const bool isSame = std::ranges::none_of(
+      overrides, [](const std::string& change) { return change.starts_with("twin."); });
+  if (isSame) session.twinFile = twinFile;
+  return session;
 }
 
 /// Opens the lenses of plugins, so that their errors are reported when the document is read.
@@ -221,8 +216,7 @@ Session parseSession(const std::string& text, const fs::path& folder,
                      const std::optional<Calibration>& calibration) {
   Json document = parseJson(text);
   if (calibration) applyCalibration(document, *calibration);
-  for (const std::string& change : overrides) applyOverride(document, change);
-  Session session = readSession(document);
+  Session session = readOverridden(document, overrides, folder);
   changeFiles(session, [&](const std::string& own) { return besideDocument(folder, own); });
   openLenses(session.display);
   return session;
@@ -239,6 +233,10 @@ std::string textOf(const Session& session) {
   Json document = Json::object();
   document["hogelscope"] = documentVersion;
   document["display"] = writtenDisplay(session.display);
+  if (!session.twinFile.empty())
+    document["twin"] = session.twinFile;
+  else if (session.twin != TwinParams{})
+    document["twin"] = writtenTwin(session.twin);
   document["lightField"] = writtenLightField(session.lightField);
   document["sampling"] = written(session.sampling);
   if (session.depth != DepthParams{}) document["depth"] = written(session.depth);
@@ -280,7 +278,8 @@ std::vector<CameraState> loadStates(const fs::path& file) {
 void appendStates(const fs::path& file, const std::vector<CameraState>& states) {
   inFile(file.string(), [&] {
     Json document = parseJson(readTextFile(file));
-    Session session = readSession(document);
+    Json whole = document;
+    Session session = readOverridden(whole, {}, file.parent_path());
     for (const CameraState& state : states) {
       const std::size_t index = addState(session, state);
       document["cameras"].push_back(writtenState(session.cameras[index]));
@@ -303,8 +302,7 @@ Session overridden(const Session& session, const std::vector<std::string>& overr
   if (overrides.empty()) return session;
   return inFile(session.lightField.file, [&] {
     Json document = parseJson(textOf(session));
-    for (const std::string& text : overrides) applyOverride(document, text);
-    Session changed = readSession(document);
+    Session changed = readOverridden(document, overrides, {});
     openLenses(changed.display);
     return changed;
   });
@@ -319,6 +317,15 @@ Session newSession() {
   session.lightField.content = contentParamsOf(session.lightField.source);
   session.cameras = {inFrontOf(displayOf(session))};
   return session;
+}
+
+std::vector<fs::path> displayFiles(const Session& session) {
+  const std::vector<std::string> lens = session.display.lensParams.files();
+  std::vector<fs::path> files(lens.begin(), lens.end());
+  if (!session.twinFile.empty()) files.emplace_back(session.twinFile);
+  TwinMapFiles maps = session.twin.maps;
+  for (const std::string* const file : maps.files()) files.emplace_back(*file);
+  return files;
 }
 
 }  // namespace hogelscope

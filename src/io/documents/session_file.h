@@ -52,4 +52,7 @@ bool isSessionFile(const std::filesystem::path& file);
 /// Whether a file is a session, not a light field that a session is made around.
 bool isSessionDocument(const std::filesystem::path& file);
 
+/// Returns the files of a session's lens and twin, which are inputs of every job.
+std::vector<std::filesystem::path> displayFiles(const Session& session);
+
 }  // namespace hogelscope

@@ -70,6 +70,25 @@ int errorOfWriting(const fs::path& folder) {
 
 }  // namespace
 
+std::string besideDocument(const fs::path& folder, const std::string& file) {
+  std::error_code error;
+  const fs::path joined = folder / file;
+  fs::path shorter = joined.lexically_normal();
+  if (!shorter.has_filename()) shorter = shorter.parent_path();  // "views/" is "views"
+  // ".." after a link leads to another folder than its text.
+  const bool isSame = !fs::exists(joined, error) || fs::equivalent(joined, shorter, error);
+  return isSame ? shorter.string() : joined.string();
+}
+
+std::string relativeTo(const fs::path& document, const std::string& file) {
+  if (file.empty()) return {};
+  std::error_code error;
+  const fs::path folder = fs::weakly_canonical(fs::absolute(document, error).parent_path(), error);
+  const fs::path target = fs::weakly_canonical(fs::absolute(file, error), error);
+  const fs::path relative = target.lexically_relative(folder);
+  return relative.empty() ? target.string() : relative.string();
+}
+
 void checkWritable(const fs::path& folder) {
   if (const int error = errorOfWriting(folder); error != 0)
     throw InputError(folder.string(), "cannot be written", std::strerror(error));

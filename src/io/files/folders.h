@@ -4,6 +4,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 #include <vector>
 
 namespace hogelscope {
@@ -18,6 +19,12 @@ std::vector<std::filesystem::path> entriesOf(const std::filesystem::path& folder
 /// Returns the entries that are not folders, sorted by name, including broken links. Throws
 /// InputError.
 std::vector<std::filesystem::path> filesIn(const std::filesystem::path& folder);
+
+/// Returns a file name in a document that lies in `folder` relative to the current folder.
+std::string besideDocument(const std::filesystem::path& folder, const std::string& file);
+
+/// Returns a file name relative to the folder of a document.
+std::string relativeTo(const std::filesystem::path& document, const std::string& file);
 
 /// Throws InputError if no file can be written into the folder because of permissions or a
 /// read-only or full disk. Leaves nothing behind.

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "core/base/error.h"
+#include "core/panel/twin.h"
 #include "io/files/folders.h"
 #include "io/plugins/plugin_library.h"
 #include "io/scene/live_file.h"
@@ -85,10 +86,16 @@ bool readTheSame(const Session& a, const Session& b) {
          ours.directions == others.directions && (haveSameRays || !a.lightField.isLive());
 }
 
+std::shared_ptr<const Twin> twinOf(const TwinParams& params, const PanelParams& display) {
+  if (params.isZero()) return nullptr;
+  return std::make_shared<const Twin>(params, TwinMaps{}, display);
+}
+
 ViewSource unloadedViewSource(const Session& session, const LightFieldFile& file) {
   ViewSource source{std::make_shared<const StreamedLightField>(file.size(), file.type()),
                     resolved(displayOf(session), file.size()), session.sampling, false};
   source.sampling.tolerance = 0;
+  source.twin = twinOf(session.twin, source.display);
   return source;
 }
 
@@ -103,8 +110,11 @@ ViewSource loadViewSource(const Session& session, const Progress& progress, cons
 
 ViewSource loadViewSource(const Session& session, LightFieldFile& file, const Progress& progress,
                           const SourceUse& use) {
-  return {file.source(use, progress), resolved(displayOf(session), file.size()), session.sampling,
-          false};
+  const PanelParams display = resolved(displayOf(session), file.size());
+  auto twin = twinOf(session.twin, display);  // before the light field is read
+  ViewSource source{file.source(use, progress), display, session.sampling};
+  source.twin = std::move(twin);
+  return source;
 }
 
 LightFieldParams withDefaults(const LightFieldParams& before, LightFieldParams after) {

@@ -27,14 +27,19 @@ struct ViewSource {
   std::shared_ptr<const LightFieldSource> lightField;
   PanelParams display;  ///< resolved
   SamplingParams sampling;
-  bool isIdeal = false;         ///< its views are ideal views
-  int bits = 8;                 ///< bits of its views' values
-  bool keepsUnrounded = false;  ///< its views have their unrounded values too
+  bool isIdeal = false;                   ///< its views are ideal views
+  int bits = 8;                           ///< bits of its views' values
+  bool keepsUnrounded = false;            ///< its views have their unrounded values too
+  std::shared_ptr<const Twin> twin = {};  ///< the unit that they see; null: the design
 
   [[nodiscard]] RenderJob job(const CameraState& state) const {
-    return {lightField, display, sampling, state, {}, isIdeal, bits, keepsUnrounded};
+    return {lightField, display, sampling, state, {}, isIdeal, bits, keepsUnrounded, twin};
   }
 };
+
+/// Reads a twin's maps for a display with its hogels and directions. Returns null for one without
+/// errors. Throws InputError.
+std::shared_ptr<const Twin> twinOf(const TwinParams& params, const PanelParams& display);
 
 /// Reads the session's light field, or opens it if it is a store that is larger than `use.memory`
 /// bytes, or a live scene. Throws InputError, or Cancelled.

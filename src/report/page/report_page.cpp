@@ -192,6 +192,7 @@ std::string html(const ReportPage& page) {
     text += "<h2>Results</h2>\n";
     if (!rates.empty()) text += figureTag(rates.front());
     text += meansTable(page.summaries, page.metrics);
+    for (const std::string& note : page.notes) text += "<p>" + escaped(note) + ".</p>\n";
   }
   if (rates.size() > 1)
     text +=

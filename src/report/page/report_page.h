@@ -48,6 +48,7 @@ struct ReportPage {
   std::vector<ReportView> views;
   std::vector<ReportPanel> panels;      ///< of each test
   std::vector<std::string> warnings{};  ///< sentences
+  std::vector<std::string> notes{};     ///< sentences on the results
 };
 
 /// Returns the figures of the page that are files too, in the page's order.
