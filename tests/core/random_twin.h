@@ -36,6 +36,15 @@ inline hogelscope::TwinParams randomTwinParams(Random& random,
   if (random.flip()) twin.random.shift.sigma = 0.1 * pitch;
   if (random.flip()) twin.random.shift.length = random.uniform(0, 4);
   twin.random.seed = random.integer(0, 1000);
+  if (random.integer(0, 3) == 0) {
+    const auto [nx, ny] = display.hogels;
+    const auto [du, dv] = display.directions;
+    for (int k = 0; k < 5; ++k) {
+      twin.dead.rows.push_back(random.integer(0, ny * dv - 1));
+      twin.dead.columns.push_back(random.integer(0, nx * du - 1));
+      twin.dead.hogels.push_back({random.integer(0, nx - 1), random.integer(0, ny - 1)});
+    }
+  }
   return twin;
 }
 
@@ -67,6 +76,8 @@ inline void addRandomLight(Random& random, const hogelscope::PanelParams& displa
     light.ambient = {random.uniform(0, 0.1), random.uniform(0, 0.1), random.uniform(0, 0.1)};
   if (random.flip()) light.falloff = random.uniform(0, 4);
   if (random.flip()) light.fill = {random.uniform(0.5, 1), random.uniform(0.5, 1)};
+  if (random.flip()) light.bits = random.integer(2, 10);
+  if (random.flip()) light.eotf = hogelscope::Eotf(random.integer(0, 3));
   if (random.flip()) twin.random.gain = {{0.1, random.uniform(0, 3)}};
   const auto [nx, ny] = display.hogels;
   const auto [du, dv] = display.directions;

@@ -107,7 +107,7 @@ ApertureSum::ApertureSum(const ViewRays& rays, const LightField& texels, const T
     m_bytes = std::get<TexelArray<std::uint8_t>>(texels.texels()).data();
   m_shares = job.sampling.reconstruction == Reconstruction::nearest &&
              job.sampling.samplesPerPixel == 1 && plan.hasLinearHogels && !plan.movesRays &&
-             !plan.changesLight && !job.method.isSingle && eye.z > m_depth &&
+             !plan.changesLight && !plan.drivesTexels && !job.method.isSingle && eye.z > m_depth &&
              paysToShare(plan.aperture, plan);
 }
 

@@ -71,11 +71,13 @@ Plan plan(const RenderJob& job, const Display& display) {
   plan.movesRays = display.twin() != nullptr;
   plan.splitsColours = plan.movesRays && display.twin()->splitsColours();
   plan.changesLight = job.twin && job.twin->changesLight();
+  plan.drivesTexels = job.twin && (job.twin->drivesTexels() || job.twin->hasDead());
   plan.knowsOutline = !plan.hasLens && !plan.movesRays && isPinhole &&
                       sampling.samplesPerPixel == 1 && plan.hasLinearHogels && !plan.isBehind;
   plan.psfReach = psf.windowSize > 1 ? neededReach(psf, job.method.droppedTaps) : 0;
   plan.sumsTexels = plan.psfReach > 0 || sampling.samplesPerPixel > 1 || plan.changesLight ||
-                    plan.splitsColours || sampling.reconstruction != Reconstruction::nearest;
+                    plan.drivesTexels || plan.splitsColours ||
+                    sampling.reconstruction != Reconstruction::nearest;
   plan.sumsLinear = plan.sumsTexels && psf.light == LightModel::linear;
   plan.copiesTexels = isPinhole && !plan.sumsTexels &&
                       job.lightField->type() == StoredType::uint8 && job.lightField->isInMemory();

@@ -10,6 +10,7 @@ bool RayLight::find(const IdealBatch& ideals, int count, std::size_t point, Scra
   const Plan& plan = m_rays.plan();
   const std::size_t channels = plan.splitsColours ? 3 : 1;
   auto& cells = scratch.cells;
+  const bool hasDead = plan.drivesTexels && m_rays.job().twin->hasDead();
   for (std::size_t c = 0; c < channels; ++c) m_rays.cellsOf(ideals, count, point, cells[c], c);
   if (plan.splitsColours)
     for (std::size_t k = 0; k < batchSize; ++k)
@@ -17,12 +18,22 @@ bool RayLight::find(const IdealBatch& ideals, int count, std::size_t point, Scra
           cells[0].seen[k] & cells[1].seen[k] & cells[2].seen[k];
   for (std::size_t c = 0; c < channels; ++c) {
     if (!fillUnseen(count, cells[c])) return false;
-    m_filter.sum(count, cells[c], scratch.taps, c == 0 ? light : scratch.channel);
+    LightBatch& sum = c == 0 ? light : scratch.channel;
+    m_filter.sum(count, cells[c], scratch.taps, sum);
+    if (hasDead) dropDead(count, cells[c], sum);
     if (c == 1) light.g = scratch.channel.g;
     if (c == 2) light.b = scratch.channel.b;
   }
   if (plan.changesLight) change(count, scratch, light);
   return true;
+}
+
+/// Takes the light of dead hogels.
+void RayLight::dropDead(int count, const CellBatch& cells, LightBatch& light) const {
+  for (std::size_t k = 0; k < std::size_t(count); ++k)
+    if (m_rays.job().twin->isDeadHogel(static_cast<int>(cells.cell[0][k]),
+                                       static_cast<int>(cells.cell[1][k])))
+      light.r[k] = light.g[k] = light.b[k] = 0;
 }
 
 void RayLight::change(int count, const Scratch& scratch, LightBatch& light) const {

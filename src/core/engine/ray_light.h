@@ -31,6 +31,7 @@ class RayLight {
             LightBatch& light) const;
 
  private:
+  void dropDead(int count, const CellBatch& cells, LightBatch& light) const;
   void change(int count, const Scratch& scratch, LightBatch& light) const;
 
   const ViewRays& m_rays;

@@ -204,6 +204,23 @@ void accumulateLinear(const Texel<T>* texels, const TapBatch& taps, int count, L
   });
 }
 
+template <class T>
+void accumulateDriven(const Texel<T>* texels, const TapBatch& taps, int count,
+                      const LightErrors& panel, LightBatch& sum) {
+  sumTaps(texels, taps, count, sum, [texels, &panel](std::uint32_t at) {
+    const Light c = encodedLight(texels, at);
+    return Light{static_cast<float>(panelLight(panel, double(c.r))),
+                 static_cast<float>(panelLight(panel, double(c.g))),
+                 static_cast<float>(panelLight(panel, double(c.b)))};
+  });
+}
+
+template void accumulateDriven(const Texel<std::uint8_t>*, const TapBatch&, int, const LightErrors&,
+                               LightBatch&);
+template void accumulateDriven(const Texel<std::uint16_t>*, const TapBatch&, int,
+                               const LightErrors&, LightBatch&);
+template void accumulateDriven(const Texel<float>*, const TapBatch&, int, const LightErrors&,
+                               LightBatch&);
 template void accumulateLinear(const Texel<std::uint8_t>*, const TapBatch&, int, LightBatch&);
 template void accumulateLinear(const Texel<std::uint16_t>*, const TapBatch&, int, LightBatch&);
 template void accumulateLinear(const Texel<float>*, const TapBatch&, int, LightBatch&);

@@ -7,6 +7,7 @@
 #include <cstdint>
 
 #include "core/engine/row_kernels.h"
+#include "core/panel/twin_params.h"
 
 namespace hogelscope {
 
@@ -54,5 +55,9 @@ void accumulate(const Texel<float>* texels, const TapBatch& taps, int count, Lig
 /// Adds the weighted linear light of the taps.
 template <class T>
 void accumulateLinear(const Texel<T>* texels, const TapBatch& taps, int count, LightBatch& sum);
+/// Adds the weighted light of the taps on a panel with its own bits and transfer function.
+template <class T>
+void accumulateDriven(const Texel<T>* texels, const TapBatch& taps, int count,
+                      const LightErrors& panel, LightBatch& sum);
 
 }  // namespace hogelscope

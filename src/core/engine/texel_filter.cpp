@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "core/base/multiversioned.h"
+#include "core/panel/twin.h"
 
 namespace hogelscope {
 
@@ -30,6 +31,7 @@ TexelFilter::TexelFilter(std::shared_ptr<const LightField> lightField, const Ren
   m_cells = {nx, ny, du, dv};
   m_weights = {axisWeights(job.state.psf, plan.psfReach, du),
                axisWeights(job.state.psf, plan.psfReach, dv)};
+  if (plan.drivesTexels) m_twin = job.twin;
 }
 
 TexelFilter::AxisWeights TexelFilter::axisWeights(const PsfParams& psf, int reach, int cells) {
@@ -159,10 +161,34 @@ void TexelFilter::tapsOf(std::size_t axis, const CellBatch& batch, AxisTaps& tap
     interpolates ? linearTaps(axis, batch, taps) : nearestTap(axis, batch, taps);
 }
 
+/// Takes the weight of taps in dead columns (axis 2) or rows (axis 3) of the hogel image.
+void TexelFilter::dropDead(std::size_t axis, const CellBatch& batch, AxisTaps& taps) const {
+  taps.weight.resize(std::size_t(taps.taps));
+  if (taps.share != nullptr)
+    for (std::size_t t = 0; t < taps.weight.size(); ++t) taps.weight[t].fill(taps.share[t]);
+  taps.share = nullptr;
+  const bool interpolates = m_reconstruction != Reconstruction::nearest;
+  const int reach = m_leaks ? m_weights[axis - 2].reach : 0;
+  for (std::size_t k = 0; k < batchSize; ++k) {
+    const auto hogel = static_cast<int>(batch.cell[axis - 2][k]);
+    int first = static_cast<int>(batch.cell[axis][k]);
+    if (interpolates && batch.place[axis][k] < 0.5F) --first;
+    if (interpolates && m_leaks) first = std::max(first, 0);
+    for (std::size_t t = 0; t < taps.weight.size(); ++t) {
+      const int at = std::clamp(first - reach + static_cast<int>(t), 0, m_cells[axis] - 1);
+      const bool isDead =
+          axis == 2 ? m_twin->isDeadColumn(hogel, at) : m_twin->isDeadRow(hogel, at);
+      if (isDead) taps.weight[t][k] = 0;
+    }
+  }
+}
+
 void TexelFilter::addTaps(int count, const TapBatch& taps, LightBatch& sum) const {
   std::visit(
       [&](const auto& texels) {
-        if (m_sumsLinear)
+        if (m_twin && m_twin->drivesTexels())
+          accumulateDriven(texels.data(), taps, count, m_twin->params().light, sum);
+        else if (m_sumsLinear)
           accumulateLinear(texels.data(), taps, count, sum);
         else
           accumulate(texels.data(), taps, count, sum);
@@ -173,6 +199,8 @@ void TexelFilter::addTaps(int count, const TapBatch& taps, LightBatch& sum) cons
 MULTIVERSIONED
 void TexelFilter::sum(int count, const CellBatch& batch, Scratch& scratch, LightBatch& sum) const {
   for (const std::size_t axis : {0U, 1U, 2U, 3U}) tapsOf(axis, batch, scratch.axes[axis]);
+  if (m_twin && m_twin->hasDead())
+    for (const std::size_t axis : {2U, 3U}) dropDead(axis, batch, scratch.axes[axis]);
   const auto& [i, j, u, v] = scratch.axes;
   sum = {};
   std::array<std::array<std::uint32_t, batchSize>, 4> hogel;

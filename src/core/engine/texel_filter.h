@@ -55,6 +55,7 @@ class TexelFilter {
   void linearTaps(std::size_t axis, const CellBatch& batch, AxisTaps& taps) const;
   void directionTaps(std::size_t axis, const CellBatch& batch, AxisTaps& taps) const;
   void interpolatedTaps(std::size_t axis, const CellBatch& batch, AxisTaps& taps) const;
+  void dropDead(std::size_t axis, const CellBatch& batch, AxisTaps& taps) const;
   void addTaps(int count, const TapBatch& taps, LightBatch& sum) const;
   [[nodiscard]] const AxisLayout& layoutOf(std::size_t axis) const;
 
@@ -64,6 +65,7 @@ class TexelFilter {
   bool m_sumsLinear;
   std::array<int, 4> m_cells;
   std::array<AxisWeights, 2> m_weights;  ///< along u and v
+  std::shared_ptr<const Twin> m_twin;    ///< only if it drives texels
 };
 
 }  // namespace hogelscope

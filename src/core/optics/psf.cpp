@@ -83,6 +83,24 @@ double encodedFromLinear(double linear) {
   return 255 * s;
 }
 
+double panelLight(const LightErrors& panel, double codeValue) {
+  double code = codeValue / 255;
+  if (panel.bits > 0) {
+    const double most = (1 << panel.bits) - 1;
+    code = std::floor(std::clamp(code, 0.0, 1.0) * most + 0.5) / most;
+  }
+  switch (panel.eotf) {
+    case Eotf::gamma22:
+      return std::pow(std::max(code, 0.0), 2.2);
+    case Eotf::gamma24:
+      return std::pow(std::max(code, 0.0), 2.4);
+    case Eotf::linear:
+      return code;
+    default:
+      return linearFromEncoded(255 * code);
+  }
+}
+
 double luminance(const Rgb& linear) {
   return 0.2126 * linear.r + 0.7152 * linear.g + 0.0722 * linear.b;
 }

@@ -6,6 +6,7 @@
 
 #include "core/base/parameters.h"
 #include "core/light_field/light_field_source.h"
+#include "core/panel/twin_params.h"
 
 namespace hogelscope {
 
@@ -47,6 +48,9 @@ int tapsAt(const PsfParams& params, const LightFieldSize& size, int u, int v);
 /// Apply the sRGB transfer function (IEC 61966-2-1), code values to linear 0 … 1, and its inverse.
 double linearFromEncoded(double codeValue);
 double encodedFromLinear(double linear);
+/// Returns the linear light 0 … 1 of a code value on a panel with its own bits and transfer
+/// function.
+double panelLight(const LightErrors& panel, double codeValue);
 /// Returns the luminance of linear light (ITU-R BT.709).
 double luminance(const Rgb& linear);
 /// Apply the same to three channels; `encoded` light is returned unchanged.

@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "core/base/error.h"
+#include "core/light_field/light_field.h"
 #include "core/panel/twin.h"
 
 namespace hogelscope {
@@ -17,6 +19,36 @@ namespace {
 struct Neighbours {
   std::array<int, 2> cell;
   double share;
+};
+
+/// The texels as a twin's panel drives them.
+class DrivenTexels : public LightFieldSource {
+ public:
+  DrivenTexels(std::shared_ptr<const LightFieldSource> content, std::shared_ptr<const Twin> twin)
+      : m_content(std::move(content)), m_twin(std::move(twin)) {}
+
+  [[nodiscard]] LightFieldSize size() const override { return m_content->size(); }
+  [[nodiscard]] StoredType type() const override { return m_content->type(); }
+  [[nodiscard]] std::shared_ptr<const LightField> slice(const ViewReads& reads,
+                                                        const Progress& progress) const override {
+    return m_content->slice(reads, progress);
+  }
+  [[nodiscard]] std::shared_ptr<const LightField> overview() const override {
+    return m_content->overview();
+  }
+  [[nodiscard]] Rgb texel(const TexelIndex& at) const override {
+    if (m_twin->hasDead() && m_twin->isDead(at)) return {};
+    const Rgb code = m_content->texel(at);
+    if (!m_twin->drivesTexels()) return code;
+    const auto seen = [this](double value) {
+      return encodedFromLinear(panelLight(m_twin->params().light, value));
+    };
+    return {seen(code.r), seen(code.g), seen(code.b)};
+  }
+
+ private:
+  std::shared_ptr<const LightFieldSource> m_content;
+  std::shared_ptr<const Twin> m_twin;
 };
 
 Neighbours neighbours(double index, int count, bool interpolate) {
@@ -39,12 +71,13 @@ void checkContent(const RenderJob& job) {
   if (!job.lightField) throw InputError("lightField", "is not loaded");
   (void)resolved(job.display, job.lightField->size());
   if (!job.twin) return;
-  if (job.twin->changesLight() && job.state.psf.light != LightModel::linear)
+  if (job.twin->needsLinearLight() && job.state.psf.light != LightModel::linear)
     throw InputError("psf.light", "must be \"linear\", because the twin scales or adds light");
-  if (!job.twin->hogels().empty() && job.sampling.reconstruction == Reconstruction::quadrilinear)
-    throw InputError("sampling.reconstruction",
-                     "cannot be \"quadrilinear\", because the twin's hogels send light into "
-                     "directions of their own");
+  if ((!job.twin->hogels().empty() || job.twin->hasDead()) &&
+      job.sampling.reconstruction == Reconstruction::quadrilinear)
+    throw InputError(
+        "sampling.reconstruction",
+        "cannot be \"quadrilinear\", because the twin's hogels differ from each other");
 }
 
 Simulation::Simulation(RenderJob job)
@@ -57,6 +90,8 @@ Simulation::Simulation(RenderJob job)
       m_aperture(
           apertureOf(m_job.state.pupil, m_job.state.camera, m_job.display, m_job.method.aperture)) {
   checkContent(m_job);
+  if (m_job.twin && (m_job.twin->drivesTexels() || m_job.twin->hasDead()))
+    m_job.lightField = std::make_shared<const DrivenTexels>(m_job.lightField, m_job.twin);
   for (const AperturePoint& point : m_aperture.points)
     m_displayFromPoint.push_back(m_display.displayFromWorld() *
                                  fromPoint(m_camera.worldFromCamera(), point));

@@ -98,6 +98,7 @@ Twin::Twin(TwinParams params, TwinMaps maps, const PanelParams& design)
       m_lenses{lensOf(design, 0), lensOf(design, 1)} {
   prepareArray();
   prepareHogels();
+  if (hasDead()) prepareDead();
   checkDirections();
   const auto& [scale, wavelengths] = m_params.colour;
   m_splitsColours = scale[0] != scale[1] || scale[1] != scale[2];
@@ -109,6 +110,34 @@ Twin::Twin(TwinParams params, TwinMaps maps, const PanelParams& design)
                    fill != none.fill || !m_gains.empty() ||
                    std::ranges::any_of(m_maps.directionGain,
                                        [](const TwinPlane& gain) { return !gain.isEmpty(); });
+}
+
+void Twin::prepareDead() {
+  const auto [nx, ny] = m_design.hogels;
+  const auto [du, dv] = m_design.directions;
+  const auto cells = [](int hogels, int directions) {
+    return std::size_t(hogels) * std::size_t(directions);
+  };
+  m_deadHogels.resize(cells(nx, ny));
+  m_deadColumns.resize(cells(nx, du));
+  m_deadRows.resize(cells(ny, dv));
+  const auto mark = [](std::vector<std::uint8_t>& marks, int at, const char* name,
+                       const char* what) {
+    if (std::size_t(at) >= marks.size())
+      throw InputError(std::string("twin.dead.") + name,
+                       "has " + std::to_string(at) + ", but the hogel image has " + what + " 0 … " +
+                           std::to_string(marks.size() - 1));
+    marks[std::size_t(at)] = 1;
+  };
+  for (const int column : m_params.dead.columns) mark(m_deadColumns, column, "columns", "columns");
+  for (const int row : m_params.dead.rows) mark(m_deadRows, row, "rows", "rows");
+  for (const auto& [i, j] : m_params.dead.hogels) {
+    if (i >= nx || j >= ny)
+      throw InputError("twin.dead.hogels", "has [" + std::to_string(i) + ", " + std::to_string(j) +
+                                               "], but the display has " + std::to_string(nx) +
+                                               " × " + std::to_string(ny) + " hogels");
+    m_deadHogels[hogelAt(i, j)] = 1;
+  }
 }
 
 void Twin::prepareArray() {

@@ -83,8 +83,27 @@ class Twin {
   [[nodiscard]] bool movesHits() const {
     return movesDirections() || m_params.lensArray.outside != OutsideField::dark;
   }
-  /// Whether pixels send other light than the content's.
+  /// Whether lit() changes light.
   [[nodiscard]] bool changesLight() const { return m_changesLight; }
+  /// Whether light must be linear.
+  [[nodiscard]] bool needsLinearLight() const { return m_changesLight || drivesTexels(); }
+  /// Whether texels are other light than their code values are in sRGB.
+  [[nodiscard]] bool drivesTexels() const {
+    return m_params.light.bits != 0 || m_params.light.eotf != Eotf::srgb;
+  }
+  /// Whether some texels send no light.
+  [[nodiscard]] bool hasDead() const { return m_params.dead != DeadParts{}; }
+  [[nodiscard]] bool isDead(const TexelIndex& at) const {
+    return isDeadHogel(at.i, at.j) || isDeadColumn(at.i, at.u) || isDeadRow(at.j, at.v);
+  }
+  [[nodiscard]] bool isDeadHogel(int i, int j) const { return m_deadHogels[hogelAt(i, j)] != 0; }
+  [[nodiscard]] bool isDeadColumn(int i, int u) const {
+    return m_deadColumns[std::size_t(i) * std::size_t(m_design.directions[0]) + std::size_t(u)] !=
+           0;
+  }
+  [[nodiscard]] bool isDeadRow(int j, int v) const {
+    return m_deadRows[std::size_t(j) * std::size_t(m_design.directions[1]) + std::size_t(v)] != 0;
+  }
 
   /// Returns the factor of a colour's index: 1 + χ.
   [[nodiscard]] double scaleOf(std::size_t channel) const {
@@ -111,10 +130,13 @@ class Twin {
   [[nodiscard]] Rgb lit(const std::array<Hit, 3>& hits, const Rgb& content) const;
 
  private:
+  [[nodiscard]] std::size_t hogelAt(int i, int j) const {
+    return std::size_t(j) * std::size_t(m_design.hogels[0]) + std::size_t(i);
+  }
+  void prepareDead();
   void prepareArray();
   void prepareHogels();
   [[nodiscard]] HogelErrors errorsOf(int i, int j) const;
-  [[nodiscard]] std::array<float, 3> gainOf(int i, int j) const;
   struct Move;
   [[nodiscard]] bool movesDirections() const {
     return !m_maps.moveU.isEmpty() || !m_maps.moveV.isEmpty();
@@ -130,6 +152,8 @@ class Twin {
   LensArrayMap m_array;
   std::vector<HogelErrors> m_hogels;
   std::vector<std::array<float, 3>> m_gains;
+  /// 1 where dead: hogels row by row, columns and rows of the hogel image; empty if none is.
+  std::vector<std::uint8_t> m_deadHogels, m_deadColumns, m_deadRows;
   bool m_movesRays = false;
   bool m_splitsColours = false;
   bool m_changesLight = false;
