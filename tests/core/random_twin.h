@@ -17,6 +17,7 @@ inline hogelscope::TwinPlane randomPlane(Random& random, int width, int height, 
 inline hogelscope::TwinParams randomTwinParams(Random& random,
                                                const hogelscope::PanelParams& display) {
   hogelscope::TwinParams twin;
+  twin.maps.kernelTiles = 2;
   const double pitch =
       std::min(display.size[0] / display.hogels[0], display.size[1] / display.hogels[1]);
   const auto both = [&](double limit) {
@@ -36,6 +37,10 @@ inline hogelscope::TwinParams randomTwinParams(Random& random,
   if (random.flip()) twin.random.shift.sigma = 0.1 * pitch;
   if (random.flip()) twin.random.shift.length = random.uniform(0, 4);
   twin.random.seed = random.integer(0, 1000);
+  if (random.integer(0, 3) == 0) twin.leakage.sigmaGrowth = random.uniform(0, 2);
+  if (random.integer(0, 3) == 0)
+    twin.colour.wavelengths = {random.uniform(0.1, 0.3) * pitch, 0,
+                               random.uniform(0.1, 0.2) * pitch};
   if (random.integer(0, 3) == 0) {
     const auto [nx, ny] = display.hogels;
     const auto [du, dv] = display.directions;
@@ -63,6 +68,9 @@ inline hogelscope::TwinMaps randomTwinMaps(Random& random, const hogelscope::Pan
   if (random.flip()) maps.gap = plane(nx, ny, 0.05);
   if (random.flip()) maps.moveU = plane(du, dv, 0.2);
   if (random.flip()) maps.moveV = plane(du, dv, 0.2);
+  if (random.integer(0, 3) == 0) maps.sigma = randomPlane(random, 3, 2, 0.4, 2);
+  if (random.integer(0, 7) == 0)
+    for (auto& kernels : maps.kernels) kernels = randomPlane(random, 6, 6, 0, 1);
   if (random.integer(0, 3) == 0) maps.height = plane(6, 5, 0.002 * display.size[0]);
   return maps;
 }

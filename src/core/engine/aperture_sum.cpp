@@ -107,8 +107,8 @@ ApertureSum::ApertureSum(const ViewRays& rays, const LightField& texels, const T
     m_bytes = std::get<TexelArray<std::uint8_t>>(texels.texels()).data();
   m_shares = job.sampling.reconstruction == Reconstruction::nearest &&
              job.sampling.samplesPerPixel == 1 && plan.hasLinearHogels && !plan.movesRays &&
-             !plan.changesLight && !plan.drivesTexels && !job.method.isSingle && eye.z > m_depth &&
-             paysToShare(plan.aperture, plan);
+             !plan.changesLight && !plan.drivesTexels && !plan.leaksOverField &&
+             !job.method.isSingle && eye.z > m_depth && paysToShare(plan.aperture, plan);
 }
 
 void ApertureSum::row(int y, int x0, int x1, float* rgb, std::uint8_t* seen) const {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "core/optics/field_leakage.h"
 #include "core/panel/twin.h"
 
 namespace hogelscope {
@@ -75,8 +76,10 @@ Plan plan(const RenderJob& job, const Display& display) {
   plan.knowsOutline = !plan.hasLens && !plan.movesRays && isPinhole &&
                       sampling.samplesPerPixel == 1 && plan.hasLinearHogels && !plan.isBehind;
   plan.psfReach = psf.windowSize > 1 ? neededReach(psf, job.method.droppedTaps) : 0;
+  plan.leaksOverField = FieldLeakage::isNeeded(job.twin.get(), psf);
+  if (plan.leaksOverField) plan.psfReach = FieldLeakage(*job.twin, psf).reach();
   plan.sumsTexels = plan.psfReach > 0 || sampling.samplesPerPixel > 1 || plan.changesLight ||
-                    plan.drivesTexels || plan.splitsColours ||
+                    plan.drivesTexels || plan.splitsColours || plan.leaksOverField ||
                     sampling.reconstruction != Reconstruction::nearest;
   plan.sumsLinear = plan.sumsTexels && psf.light == LightModel::linear;
   plan.copiesTexels = isPinhole && !plan.sumsTexels &&

@@ -17,6 +17,7 @@ struct Plan {
   bool splitsColours = false;    ///< a twin whose colours meet pixels of their own
   bool changesLight = false;     ///< a twin that scales or adds light
   bool drivesTexels = false;     ///< a twin whose texels are other light, or none
+  bool leaksOverField = false;   ///< a twin's leakage differs between directions or colours
   bool isBehind = false;         ///< the eye is not in front of the panel, so there are no rays
   bool knowsOutline = false;  ///< the columns of each row that see the display are known beforehand
   int psfReach = 0;           ///< taps on each side: (windowSize - 1) / 2, or fewer

@@ -1,9 +1,55 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/engine/ray_light.h"
 
+#include <algorithm>
+
 #include "core/panel/twin.h"
 
 namespace hogelscope {
+
+RayLight::RayLight(const ViewRays& rays, const TexelFilter& filter)
+    : m_rays(rays), m_filter(filter) {
+  if (rays.plan().leaksOverField) m_leakage.emplace(*rays.job().twin, rays.job().state.psf);
+}
+
+void RayLight::sum(int count, const CellBatch& cells, Scratch& scratch, LightBatch& light) const {
+  if (m_leakage)
+    sumField(count, cells, light);
+  else
+    m_filter.sum(count, cells, scratch.taps, light);
+}
+
+/// Sums the leakage of each ray's directions, one or the four around its hit.
+void RayLight::sumField(int count, const CellBatch& cells, LightBatch& light) const {
+  const RenderJob& job = m_rays.job();
+  const bool isNearest = job.sampling.reconstruction == Reconstruction::nearest;
+  const LightFieldSize& size = m_filter.texels().size();
+  const auto lightOf = [&](const TexelIndex& tap) { return m_filter.lightOf(tap); };
+  for (std::size_t k = 0; k < std::size_t(count); ++k) {
+    const auto own = [&](std::size_t axis) { return static_cast<int>(cells.cell[axis][k]); };
+    std::array<int, 2> first{own(2), own(3)};
+    std::array<double, 2> share{};
+    for (std::size_t axis = 0; axis < 2 && !isNearest; ++axis) {
+      const double place = double(cells.place[axis + 2][k]) - 0.5;
+      first[axis] -= place < 0 ? 1 : 0;
+      share[axis] = place < 0 ? place + 1 : place;
+    }
+    Rgb sum;
+    for (int corner = 0; corner < (isNearest ? 1 : 4); ++corner) {
+      const int right = corner % 2;
+      const int below = corner / 2;
+      const double weight =
+          (right == 1 ? share[0] : 1 - share[0]) * (below == 1 ? share[1] : 1 - share[1]);
+      if (weight == 0) continue;
+      const TexelIndex at{own(0), own(1), std::clamp(first[0] + right, 0, size.du - 1),
+                          std::clamp(first[1] + below, 0, size.dv - 1)};
+      sum = sum + weight * m_leakage->leaked(size, at, lightOf);
+    }
+    light.r[k] = static_cast<float>(sum.r);
+    light.g[k] = static_cast<float>(sum.g);
+    light.b[k] = static_cast<float>(sum.b);
+  }
+}
 
 bool RayLight::find(const IdealBatch& ideals, int count, std::size_t point, Scratch& scratch,
                     LightBatch& light) const {
@@ -18,9 +64,9 @@ bool RayLight::find(const IdealBatch& ideals, int count, std::size_t point, Scra
           cells[0].seen[k] & cells[1].seen[k] & cells[2].seen[k];
   for (std::size_t c = 0; c < channels; ++c) {
     if (!fillUnseen(count, cells[c])) return false;
-    LightBatch& sum = c == 0 ? light : scratch.channel;
-    m_filter.sum(count, cells[c], scratch.taps, sum);
-    if (hasDead) dropDead(count, cells[c], sum);
+    LightBatch& found = c == 0 ? light : scratch.channel;
+    sum(count, cells[c], scratch, found);
+    if (hasDead) dropDead(count, cells[c], found);
     if (c == 1) light.g = scratch.channel.g;
     if (c == 2) light.b = scratch.channel.b;
   }

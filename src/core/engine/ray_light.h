@@ -4,9 +4,11 @@
 #pragma once
 
 #include <array>
+#include <optional>
 
 #include "core/engine/texel_filter.h"
 #include "core/engine/view_rays.h"
+#include "core/optics/field_leakage.h"
 
 namespace hogelscope {
 
@@ -23,7 +25,7 @@ class RayLight {
   };
 
   /// Refers to its parameters, which must outlive this object.
-  RayLight(const ViewRays& rays, const TexelFilter& filter) : m_rays(rays), m_filter(filter) {}
+  RayLight(const ViewRays& rays, const TexelFilter& filter);
 
   /// Finds the light of `count` rays, as TexelFilter::sum() does; undefined where `scratch.seen()`
   /// is 0. Returns false if no ray sees the display.
@@ -34,7 +36,11 @@ class RayLight {
   void dropDead(int count, const CellBatch& cells, LightBatch& light) const;
   void change(int count, const Scratch& scratch, LightBatch& light) const;
 
+  void sum(int count, const CellBatch& cells, Scratch& scratch, LightBatch& light) const;
+  void sumField(int count, const CellBatch& cells, LightBatch& light) const;
+
   const ViewRays& m_rays;
+  std::optional<FieldLeakage> m_leakage;  ///< if it differs over the field
   const TexelFilter& m_filter;
 };
 

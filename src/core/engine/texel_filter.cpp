@@ -183,6 +183,16 @@ void TexelFilter::dropDead(std::size_t axis, const CellBatch& batch, AxisTaps& t
   }
 }
 
+Rgb TexelFilter::lightOf(const TexelIndex& at) const {
+  if (m_twin && m_twin->hasDead() && m_twin->isDead(at)) return {};
+  const Rgb code = m_lightField->texel(at);
+  if (m_twin && m_twin->drivesTexels()) {
+    const LightErrors& panel = m_twin->params().light;
+    return {panelLight(panel, code.r), panelLight(panel, code.g), panelLight(panel, code.b)};
+  }
+  return m_sumsLinear ? decoded(LightModel::linear, code) : code;
+}
+
 void TexelFilter::addTaps(int count, const TapBatch& taps, LightBatch& sum) const {
   std::visit(
       [&](const auto& texels) {

@@ -36,6 +36,10 @@ class TexelFilter {
   /// says so. All lanes' cells must lie in the light field.
   void sum(int count, const CellBatch& batch, Scratch& scratch, LightBatch& sum) const;
 
+  [[nodiscard]] const LightField& texels() const { return *m_lightField; }
+  /// Returns the light of one texel, in the light that is summed.
+  [[nodiscard]] Rgb lightOf(const TexelIndex& at) const;
+
  private:
   /// The weights along a direction axis, for each cell of it.
   struct AxisWeights {

@@ -73,7 +73,8 @@ void checkContent(const RenderJob& job) {
   if (!job.twin) return;
   if (job.twin->needsLinearLight() && job.state.psf.light != LightModel::linear)
     throw InputError("psf.light", "must be \"linear\", because the twin scales or adds light");
-  if ((!job.twin->hogels().empty() || job.twin->hasDead()) &&
+  if ((!job.twin->hogels().empty() || job.twin->hasDead() ||
+       FieldLeakage::isNeeded(job.twin.get(), job.state.psf)) &&
       job.sampling.reconstruction == Reconstruction::quadrilinear)
     throw InputError(
         "sampling.reconstruction",
@@ -90,6 +91,8 @@ Simulation::Simulation(RenderJob job)
       m_aperture(
           apertureOf(m_job.state.pupil, m_job.state.camera, m_job.display, m_job.method.aperture)) {
   checkContent(m_job);
+  if (FieldLeakage::isNeeded(m_job.twin.get(), m_job.state.psf))
+    m_leakage.emplace(*m_job.twin, m_job.state.psf);
   if (m_job.twin && (m_job.twin->drivesTexels() || m_job.twin->hasDead()))
     m_job.lightField = std::make_shared<const DrivenTexels>(m_job.lightField, m_job.twin);
   for (const AperturePoint& point : m_aperture.points)
@@ -112,6 +115,13 @@ std::optional<std::array<Hit, 3>> Simulation::hitsOf(const Vec2& ideal,
   return hits;
 }
 
+Rgb Simulation::leaked(const TexelIndex& at) const {
+  if (!m_leakage) return m_psf.leaked(*m_job.lightField, at);
+  return m_leakage->leaked(m_display.size(), at, [this](const TexelIndex& tap) {
+    return decoded(m_job.state.psf.light, m_job.lightField->texel(tap));
+  });
+}
+
 Rgb Simulation::reconstructed(const Hit& hit) const {
   const LightFieldSize& size = m_display.size();
   const Reconstruction reconstruction = m_job.sampling.reconstruction;
@@ -129,9 +139,7 @@ Rgb Simulation::reconstructed(const Hit& hit) const {
       index[axis] = axes[axis].cell[side];
       weight *= side == 1 ? axes[axis].share : 1 - axes[axis].share;
     }
-    if (weight > 0)
-      sum =
-          sum + weight * m_psf.leaked(*m_job.lightField, {index[0], index[1], index[2], index[3]});
+    if (weight > 0) sum = sum + weight * leaked({index[0], index[1], index[2], index[3]});
   }
   return sum;
 }

@@ -8,6 +8,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/optics/field_leakage.h"
 #include "core/optics/image.h"
 #include "core/optics/method.h"
 #include "core/optics/session.h"
@@ -59,6 +60,7 @@ class Simulation {
   [[nodiscard]] std::optional<std::array<Hit, 3>> hitsOf(const Vec2& ideal,
                                                          const RigidTransform& from) const;
   [[nodiscard]] std::optional<Rgb> lightFrom(const RigidTransform& point, int x, int y) const;
+  [[nodiscard]] Rgb leaked(const TexelIndex& at) const;
   [[nodiscard]] Rgb reconstructed(const Hit& hit) const;
   [[nodiscard]] Rgb sent(const std::array<Hit, 3>& hits) const;
 
@@ -67,6 +69,7 @@ class Simulation {
   Camera m_camera;
   Distortion m_distortion;
   Psf m_psf;
+  std::optional<FieldLeakage> m_leakage;  ///< a twin's, in place of m_psf
   std::vector<RaySample> m_samples;
   Aperture m_aperture;
   std::vector<RigidTransform> m_displayFromPoint;  ///< for each point of the aperture

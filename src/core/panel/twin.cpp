@@ -4,11 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <string>
 #include <tuple>
 #include <utility>
 
 #include "core/base/error.h"
+#include "core/base/text.h"
 #include "core/panel/random_field.h"
 
 namespace hogelscope {
@@ -95,10 +97,12 @@ Twin::Twin(TwinParams params, TwinMaps maps, const PanelParams& design)
     : m_params(std::move(params)),
       m_maps(std::move(maps)),
       m_design(design),
+      m_size{design.hogels[0], design.hogels[1], design.directions[0], design.directions[1]},
       m_lenses{lensOf(design, 0), lensOf(design, 1)} {
   prepareArray();
   prepareHogels();
   if (hasDead()) prepareDead();
+  checkKernels();
   checkDirections();
   const auto& [scale, wavelengths] = m_params.colour;
   m_splitsColours = scale[0] != scale[1] || scale[1] != scale[2];
@@ -258,6 +262,29 @@ void Twin::checkDirections() const {
         }
 }
 
+void Twin::checkKernels() const {
+  const TwinPlane& image = m_maps.kernels[0];
+  if (image.isEmpty()) return;
+  const int tiles = m_params.maps.kernelTiles;
+  const int side = image.width / tiles;
+  const auto [du, dv] = m_design.directions;
+  if (image.width != image.height || side * tiles != image.width || side % 2 == 0)
+    throw InputError("twin.maps.kernels",
+                     "is " + pairText(image.width, image.height) + " pixels, which are not " +
+                         pairText(tiles, tiles) +
+                         " squares of an odd number of pixels: set twin.maps.kernelTiles");
+  for (int v = 0; v < tiles && v < dv; ++v)
+    for (int u = 0; u < tiles && u < du; ++u)
+      for (std::size_t c = 0; c < 3; ++c) {
+        const std::vector<double> kernel = kernelAt(u * du / tiles, v * dv / tiles, c);
+        const double sum = std::accumulate(kernel.begin(), kernel.end(), 0.0);
+        if (std::ranges::any_of(kernel, [](double w) { return w < 0; }) || !(sum > 0))
+          throw InputError("twin.maps.kernels", "kernel (" + std::to_string(u) + ", " +
+                                                    std::to_string(v) +
+                                                    ") has weights below 0, or none above");
+      }
+}
+
 HogelErrors Twin::errorsOf(int i, int j) const {
   if (m_hogels.empty()) return {};
   const auto [nx, ny] = m_design.hogels;
@@ -370,6 +397,38 @@ PanelRay Twin::rayOf(int i, int j, double u, double v, std::size_t channel) cons
   const double b = m_lenses[1]->slopeOf(upField / scale) + double(own.tiltY) -
                    array.convergence * lens.y - surface.slopeY;
   return {{lens.x - surface.z * a, lens.y - surface.z * b}, {a, b}};
+}
+
+double Twin::sigmaAt(int u, int v, double sigma) const {
+  const auto [du, dv] = m_design.directions;
+  const double x = (u + 0.5) / du;
+  const double y = (v + 0.5) / dv;
+  if (!m_maps.sigma.isEmpty()) return m_maps.sigma.at(x, y);
+  const double square = (2 * x - 1) * (2 * x - 1) + (2 * y - 1) * (2 * y - 1);
+  return sigma * (1 + m_params.leakage.sigmaGrowth * square);
+}
+
+/// A square lens of the width p sends the wavelength λ into sinc²(p s/λ) of the slope s.
+double Twin::diffractionStep(std::size_t axis, std::size_t channel) const {
+  const double wavelength = m_params.colour.wavelengths[channel];
+  if (!(wavelength > 0)) return 0;
+  const double step = m_lenses[axis]->slopeOf(0.5) - m_lenses[axis]->slopeOf(-0.5);
+  return m_array.pitch[axis] * step / m_design.directions[axis] / wavelength;
+}
+
+std::vector<double> Twin::kernelAt(int u, int v, std::size_t channel) const {
+  const auto [du, dv] = m_design.directions;
+  const TwinPlane& image = m_maps.kernels[channel];
+  const int tiles = m_params.maps.kernelTiles;
+  const int side = 2 * kernelReach() + 1;
+  const int left = u * tiles / du * side;
+  const int top = v * tiles / dv * side;
+  std::vector<double> kernel;
+  for (int y = 0; y < side; ++y)
+    for (int x = 0; x < side; ++x)
+      kernel.push_back(double(
+          image.values[std::size_t(top + y) * std::size_t(image.width) + std::size_t(left + x)]));
+  return kernel;
 }
 
 Rgb Twin::lit(const std::array<Hit, 3>& hits, const Rgb& content) const {

@@ -36,7 +36,8 @@ struct TwinMaps {
   TwinPlane moveU, moveV;  ///< over the directions: how many pixels of the design a pixel is off
   TwinPlane sigma;         ///< over the directions: standard deviation of the leakage, px
   std::array<TwinPlane, 3> directionGain;
-  TwinPlane height;  ///< of the panel's surface, over the panel
+  TwinPlane height;                  ///< of the panel's surface, over the panel
+  std::array<TwinPlane, 3> kernels;  ///< of leakage, kernelTiles × kernelTiles squares
 };
 
 /// How a hogel's lens differs from the array's. The shifts are metres, the tilts slopes.
@@ -125,6 +126,27 @@ class Twin {
   /// place of what lies outside the field. A hit beside the array stays.
   [[nodiscard]] Hit moved(Hit hit) const;
 
+  [[nodiscard]] const LightFieldSize& size() const { return m_size; }
+  /// Whether the leakage's width differs over the field.
+  [[nodiscard]] bool leaksOverField() const {
+    return m_params.leakage.sigmaGrowth > 0 || !m_maps.sigma.isEmpty();
+  }
+  [[nodiscard]] bool hasDiffraction() const {
+    return m_params.colour.wavelengths != ColourErrors{}.wavelengths;
+  }
+  [[nodiscard]] bool hasKernels() const { return !m_maps.kernels[0].isEmpty(); }
+  /// Whether red, green and blue leak differently.
+  [[nodiscard]] bool leaksByColour() const { return hasDiffraction() || hasKernels(); }
+  /// Returns the standard deviation of the leakage at a direction, px, where psf.sigma is `sigma`.
+  [[nodiscard]] double sigmaAt(int u, int v, double sigma) const;
+  /// Returns a direction's width in units of the diffraction pattern, λ/p of slope; 0 without one.
+  [[nodiscard]] double diffractionStep(std::size_t axis, std::size_t channel) const;
+  /// Returns n of kernels of 2n + 1 pixels, and a direction's kernel, row by row.
+  [[nodiscard]] int kernelReach() const {
+    return (m_maps.kernels[0].width / m_params.maps.kernelTiles - 1) / 2;
+  }
+  [[nodiscard]] std::vector<double> kernelAt(int u, int v, std::size_t channel) const;
+
   /// Returns the light of a ray, linear 0 … 1, whose pixels send `content`. `hits` are those of its
   /// colours.
   [[nodiscard]] Rgb lit(const std::array<Hit, 3>& hits, const Rgb& content) const;
@@ -144,10 +166,12 @@ class Twin {
   [[nodiscard]] Vec2 solved(const Vec2& designed) const;
   [[nodiscard]] Move moveAt(double u, double v) const;
   void checkDirections() const;
+  void checkKernels() const;
 
   TwinParams m_params;
   TwinMaps m_maps;
   PanelParams m_design;
+  LightFieldSize m_size;
   std::array<std::shared_ptr<const HogelLens>, 2> m_lenses;
   LensArrayMap m_array;
   std::vector<HogelErrors> m_hogels;

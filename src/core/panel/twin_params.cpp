@@ -70,7 +70,7 @@ void describe(ParameterVisitor& v, TwinRandom& p) {
 }
 
 void describe(ParameterVisitor& v, TwinMapFiles& p) {
-  auto& [hogels, directions, kernels, height] = p;
+  auto& [hogels, directions, kernels, kernelTiles, height] = p;
   v.group("twin.maps", "Files of what was measured on this unit.");
   v.field("hogels", hogels,
           "EXR with a value for each hogel: shift.x, shift.y (m), tilt.x, tilt.y (slopes), gap, "
@@ -79,7 +79,10 @@ void describe(ParameterVisitor& v, TwinMapFiles& p) {
           "EXR with a value for each direction: move.u, move.v (px), sigma (px), gain.R, gain.G, "
           "gain.B; or CSV: u,v,x,y,r,g,b.");
   v.field("kernels", kernels,
-          "Image of square kernels side by side over the field, which light leaks with too.");
+          "Image of square kernels of leakage over the field, side by side, each an odd number of "
+          "directional pixels wide; in place of psf.");
+  v.field("kernelTiles", kernelTiles, {1, 1024, 1}, "",
+          "How many kernels the image has across, and as many down.");
   v.field("height", height, "EXR with the height of the panel's surface, metres.");
 }
 
@@ -113,6 +116,7 @@ bool TwinParams::isZero() const {
   designed.random.seed = random.seed;
   designed.random.shift.length = random.shift.length;
   designed.random.gain.length = random.gain.length;
+  designed.maps.kernelTiles = maps.kernelTiles;
   return *this == designed;
 }
 

@@ -85,6 +85,7 @@ struct TwinMapFiles {
   std::string hogels;
   std::string directions;
   std::string kernels;
+  int kernelTiles = 1;  ///< kernels across, and down
   std::string height;
   /// Returns those that are given, to be changed.
   [[nodiscard]] std::vector<std::string*> files();
