@@ -63,10 +63,10 @@ FlagGroup inputs() {
         .help = "Adds lenses: a JSON list of cameras, or one OpenCV calibration."},
        {.name = "twin",
         .value = "FILE",
-        .jobs = {render, report},
+        .jobs = {render, report, exportAs},
         .mayRepeat = true,
         .help = "The unit that is seen, in place of the session's own twin or of the display as "
-                "designed. With --report --against, repeat it for more: each is a test."},
+                "designed. With --report --against design, repeat it for more: each is a test."},
        {.name = "plugins-path",
         .value = "DIR",
         .jobs = {window, render, report, makeCameras, generate, pack, exportAs, tradeoff, measure,
@@ -159,6 +159,10 @@ FlagGroup outputs() {
         .jobs = {depth},
         .help = "Also writes the session with its content at the proposed scale and place, or with "
                 "its views sheared."},
+       {.name = "for-twin",
+        .jobs = {exportAs},
+        .help = "Content that is corrected for the session's twin, or --twin: seen through it, it "
+                "looks as the session's own does through the display as designed."},
        {.name = "json",
         .jobs = {info},
         .help = "Prints order, shear and size of a light field for programs."}}};

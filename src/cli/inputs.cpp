@@ -90,7 +90,8 @@ Session loadSessionOf(const CommandLine& line) {
   if (isAround && calibration)
     for (CameraState& state : session.cameras) apply(*calibration, state);
   const bool mayHaveTwin = line.mayHave("twin") && line.has("twin");
-  if (!mayHaveTwin || (line.mayHave("against") && line.has("against"))) return session;
+  if (!mayHaveTwin || (line.mayHave("against") && line.text("against", "") == "design"))
+    return session;
   if (const auto twins = line.texts("twin"); twins.size() > 1)
     throw InputError("command line", "--twin",
                      "is given " + std::to_string(twins.size()) +

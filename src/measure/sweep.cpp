@@ -67,6 +67,13 @@ class Views {
  public:
   Views(const Session& session, const Progress& progress)
       : m_states(withEyes(session).cameras), m_source(loadViewSource(session, progress)) {}
+  /// Takes the light field of other views, whose session reads the same.
+  Views(const Session& session, const Views& other)
+      : m_states(withEyes(session).cameras), m_source(other.m_source) {
+    m_source.display = resolved(displayOf(session), m_source.lightField->size());
+    m_source.sampling = session.sampling;
+    m_source.twin = twinOf(session.twin, m_source.display);
+  }
 
   [[nodiscard]] std::size_t count() const { return m_states.size(); }
   [[nodiscard]] Image render(std::size_t state, bool isIdeal, const Progress& progress) {
@@ -134,10 +141,12 @@ class DesignFigures {
       return contrast(m_bench, {1 / (2 * m_bench.pitch(axis)), z}, axis);
     }
     if (!needsViews(figure)) return measured(figure);
+    if (figure == designPsnr && !m_reference) m_reference.emplace(m_base, m_progress);
+    if (!m_views && m_reference && readTheSame(m_session, m_base))
+      m_views.emplace(m_session, *m_reference);
     if (!m_views) m_views.emplace(m_session, m_progress);
     if (figure == milliseconds) return millisecondsOf(*m_views, m_progress);
     if (figure == idealPsnr) return psnrOf(*m_views, *m_views, true, m_progress);
-    if (!m_reference) m_reference.emplace(m_base, m_progress);
     return psnrOf(*m_views, *m_reference, false, m_progress);
   }
 
@@ -199,6 +208,13 @@ std::string keyOf(const SweepRequest& request, const Progress& progress) {
   return "sweep " + std::string(programVersion()) + " " + contentHash(text) + " " + hash;
 }
 
+/// Returns the session without its twin, which is no part of a design.
+Session asDesigned(Session session) {
+  session.twin = {};
+  session.twinFile.clear();
+  return session;
+}
+
 /// Throws InputError if the parameters are not those of a session, before any work.
 void checkParameters(const SweepRequest& request, const Design& design) {
   try {
@@ -253,6 +269,44 @@ void markPareto(const SweepTable& table, std::vector<SweepRow>& rows) {
   }
 }
 
+void markPassing(const SweepTable& table, std::vector<SweepRow>& rows) {
+  for (SweepRow& row : rows)
+    row.passes = std::ranges::all_of(table.pass, [&](const SweepLimit& limit) {
+      const auto figure = std::ranges::find(table.figures, limit.figure) - table.figures.begin();
+      const double value = row.figures[std::size_t(figure)];
+      return value >= limit.least && value <= limit.most;
+    });
+}
+
+SweepYield yieldOf(const std::vector<SweepRow>& rows) {
+  SweepYield yield{std::size_t(std::ranges::count_if(rows, &SweepRow::passes)), rows.size()};
+  const auto n = double(rows.size());
+  if (rows.empty()) return yield;
+  const double z = normalQuantile(0.975);
+  const double share = double(yield.passed) / n;
+  const double middle = share + z * z / (2 * n);
+  const double half = z * std::sqrt(share * (1 - share) / n + z * z / (4 * n * n));
+  yield.low = (middle - half) / (1 + z * z / n);
+  yield.high = (middle + half) / (1 + z * z / n);
+  return yield;
+}
+
+std::string yieldText(const SweepTable& table, const std::vector<SweepRow>& rows) {
+  if (table.pass.empty()) return {};
+  std::string limits;
+  for (const auto& [figure, least, most] : table.pass) {
+    limits += (limits.empty() ? "" : ", ") + figure;
+    if (std::isfinite(least)) limits += " at least " + numberText(least);
+    if (std::isfinite(most)) limits += " at most " + numberText(most);
+  }
+  const SweepYield yield = yieldOf(rows);
+  const auto percent = [](double share) { return rounded(100 * share, 1); };
+  return std::to_string(yield.passed) + " of " + std::to_string(yield.count) + " units pass (" +
+         limits + "): yield " +
+         percent(yield.count == 0 ? 0 : double(yield.passed) / double(yield.count)) + " % (" +
+         percent(yield.low) + " … " + percent(yield.high) + " %)";
+}
+
 Sweep sweep(const SweepRequest& request, const Progress& progress) {
   checkFigures(request.table, request.session);
   const std::vector<Design> designs = designsOf(request.table);
@@ -260,7 +314,7 @@ Sweep sweep(const SweepRequest& request, const Progress& progress) {
   const Campaign campaign = measureDesigns(
       {request.output, keyOf(request, part(progress, 0, 0.02)), designs.size(),
        request.table.figures.size(), request.shard},
-      request.session, request.table.figures,
+      asDesigned(request.session), request.table.figures,
       [&](std::size_t item) {
         return overridden(request.session, overridesOf(request.table, designs[item]));
       },
@@ -269,8 +323,9 @@ Sweep sweep(const SweepRequest& request, const Progress& progress) {
   if (request.shard) return result;
   for (std::size_t item = 0; item < designs.size(); ++item)
     result.rows.push_back(
-        {designs[item], campaign.rows[item].values, false, campaign.rows[item].problem});
+        {designs[item], campaign.rows[item].values, false, campaign.rows[item].problem, false});
   markPareto(request.table, result.rows);
+  markPassing(request.table, result.rows);
   if (request.output.empty()) return result;
   const std::string points = csv(request.table, result.rows);
   std::vector<Figure> figures;
@@ -291,7 +346,7 @@ std::vector<SweepRow> measureDesigns(const std::vector<Session>& designs,
       [&](std::size_t item) { return designs[item]; }, progress);
   std::vector<SweepRow> rows;
   for (const JournalEntry& row : campaign.rows)
-    rows.push_back({{}, row.values, false, row.problem});
+    rows.push_back({{}, row.values, false, row.problem, false});
   return rows;
 }
 
@@ -299,13 +354,16 @@ std::string csv(const SweepTable& table, const std::vector<SweepRow>& rows) {
   std::string text = "design";
   for (const SweepParameter& parameter : table.parameters) text += "," + csvCell(parameter.name);
   for (const std::string& figure : table.figures) text += "," + csvCell(figure);
-  text += ",pareto,problem\n";
+  const bool hasLimits = !table.pass.empty();
+  text += std::string(",pareto,") + (hasLimits ? "pass," : "") + "problem\n";
   int number = 0;
   for (const SweepRow& row : rows) {
     text += std::to_string(++number);
     for (const std::string& value : row.design) text += "," + csvCell(value);
     for (const double value : row.figures) text += "," + numberCell(value);
-    text += std::string(",") + (row.isPareto ? "1" : "0") + "," + csvCell(row.problem) + "\n";
+    text += std::string(",") + (row.isPareto ? "1" : "0");
+    if (hasLimits) text += std::string(",") + (row.passes ? "1" : "0");
+    text += "," + csvCell(row.problem) + "\n";
   }
   return text;
 }

@@ -27,6 +27,15 @@ struct SweepRow {
   std::vector<double> figures;  ///< in the table's order; NaN if it cannot be measured
   bool isPareto = false;
   std::string problem;
+  bool passes = false;  ///< within all limits of the table
+};
+
+/// The share of units that pass.
+struct SweepYield {
+  std::size_t passed = 0;
+  std::size_t count = 0;
+  double low = 0;  ///< of the 95 % interval of the share (Wilson, JASA 22, 1927)
+  double high = 0;
 };
 
 struct Sweep {
@@ -54,6 +63,13 @@ std::vector<SweepRow> measureDesigns(const std::vector<Session>& designs,
 
 /// Marks the rows that no other one beats: none is at least as good in all goals and better in one.
 void markPareto(const SweepTable& table, std::vector<SweepRow>& rows);
+
+/// Marks the rows that are within all limits; a figure that is not known is not.
+void markPassing(const SweepTable& table, std::vector<SweepRow>& rows);
+SweepYield yieldOf(const std::vector<SweepRow>& rows);
+/// Returns a sentence such as "37 of 100 units pass (psnr:design at least 30): yield 37 % (28.2 …
+/// 46.8 %)"; "" for a table without limits.
+std::string yieldText(const SweepTable& table, const std::vector<SweepRow>& rows);
 
 /// Returns "sweep.csv".
 std::string csv(const SweepTable& table, const std::vector<SweepRow>& rows);

@@ -222,6 +222,7 @@ std::string sweepPage(const SweepRequest& request, const std::vector<SweepRow>& 
                                                      : " designs of a Latin hypercube");
   if (!request.table.pareto.empty())
     body += "; no other design beats " + std::to_string(best) + " of them, drawn in red";
+  if (!request.table.pass.empty()) body += ". " + escaped(yieldText(request.table, rows));
   return pageOf("Hogelscope sweep: " + request.name,
                 body +
                     ".</p>\n<h2>Parallel coordinates</h2>\n<p>Each line is a design. Drag along "

@@ -126,6 +126,28 @@ void readSampling(const Json& document, SweepTable& table) {
   table.count = int(count);
 }
 
+/// Reads the limits of good units: a number is the least that a figure may be.
+void readPass(const Json& pass, SweepTable& table) {
+  if (!pass.is_object())
+    throw InputError("pass", "is not an object, such as {\"psnr:design\": 30}");
+  for (const auto& [figure, value] : pass.items()) {
+    const std::string path = "pass." + figure;
+    if (std::ranges::find(table.figures, figure) == table.figures.end())
+      throw InputError(path, "is none of the figures");
+    SweepLimit limit{figure};
+    if (value.is_number()) {
+      limit.least = value.get<double>();
+    } else if (value.is_object() && !value.empty()) {
+      refuseOthers(value, path + ".", {"min", "max"});
+      if (value.contains("min")) limit.least = numberAt(value, "min", path);
+      if (value.contains("max")) limit.most = numberAt(value, "max", path);
+    } else {
+      throw InputError(path, "is neither a number nor {\"min\": …, \"max\": …}");
+    }
+    table.pass.push_back(limit);
+  }
+}
+
 std::size_t gridCount(const SweepParameter& parameter) {
   if (parameter.kind == SweepParameter::Kind::list) return parameter.values.size();
   return parameter.count > 0 ? std::size_t(parameter.count)
@@ -201,7 +223,8 @@ std::string SweepParameter::at(double share) const {
 SweepTable parseSweepTable(const std::string& text) {
   const Json document = parseJson(text);
   if (!document.is_object()) throw InputError("table", "is not an object: { \"parameters\": … }");
-  refuseOthers(document, "", {"parameters", "sampling", "count", "seed", "figures", "pareto"});
+  refuseOthers(document, "",
+               {"parameters", "sampling", "count", "seed", "figures", "pareto", "pass"});
   SweepTable table;
   if (!document.contains("parameters") || !document["parameters"].is_object() ||
       document["parameters"].empty())
@@ -212,6 +235,7 @@ SweepTable parseSweepTable(const std::string& text) {
   if (!document.contains("figures")) throw InputError("figures", "is missing");
   for (const Json& figure : listOf(document, "figures"))
     table.figures.push_back(figure.get<std::string>());
+  if (document.contains("pass")) readPass(document["pass"], table);
   if (!document.contains("pareto")) return table;
   if (!document["pareto"].is_object())
     throw InputError("pareto", "is not an object, such as {\"depthOfField\": \"max\"}");

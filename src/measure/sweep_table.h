@@ -6,6 +6,7 @@
 #include <array>
 #include <cstdint>
 #include <filesystem>
+#include <limits>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -34,6 +35,13 @@ struct SweepGoal {
   int goal = 1;
 };
 
+/// What a figure of a good unit is within; infinite where there is no limit.
+struct SweepLimit {
+  std::string figure;
+  double least = -std::numeric_limits<double>::infinity();
+  double most = std::numeric_limits<double>::infinity();
+};
+
 enum class SweepSampling { grid, latinHypercube };
 
 struct SweepTable {
@@ -43,6 +51,7 @@ struct SweepTable {
   std::uint64_t seed = 1;
   std::vector<std::string> figures;
   std::vector<SweepGoal> pareto;
+  std::vector<SweepLimit> pass;
 };
 
 /// The most designs of a sweep.

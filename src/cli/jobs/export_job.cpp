@@ -13,6 +13,7 @@
 #include "io/files/atomic_file.h"
 #include "io/files/folders.h"
 #include "io/scene/light_field_export.h"
+#include "io/scene/twin_content.h"
 #include "io/scene/view_source.h"
 
 namespace hogelscope {
@@ -51,14 +52,33 @@ int exportRig(const Session& session, const CommandLine& line) {
   return 0;
 }
 
+/// Returns the session's light field, or with --for-twin the one that its unit needs.
+std::shared_ptr<LightFieldFile> contentToExport(const Session& session, const CommandLine& line) {
+  std::shared_ptr<LightFieldFile> file = openLightField(session.lightField, session.display);
+  if (!line.has("for-twin")) return file;
+  const PanelParams display = resolved(displayOf(session), file->size());
+  auto twin = inFile(line.text("session"), [&] { return twinOf(session.twin, display); });
+  if (!twin)
+    throw InputError("command line", "--for-twin",
+                     "needs a unit: --twin FILE, or a session with a twin");
+  return std::make_shared<TwinContent>(file, session.lightField.isLive(), display, twin);
+}
+
 }  // namespace
 
 int runExport(const CommandLine& line) {
+  if (line.has("twin") && !line.has("for-twin"))
+    throw InputError(
+        "command line", "--twin",
+        "changes no content: give --for-twin too for content that is corrected for it");
   if (line.subject == "rig" && isSessionDocument(line.text("session")))
     return exportRig(loadSession(line.text("session"), line.texts("set")), line);
   const Session session = loadSessionOf(line);
   if (line.subject == "rig") return exportRig(session, line);
   keepSession(line, session);
+  if (line.has("for-twin") && line.subject == "pack")
+    throw InputError("command line", "--for-twin",
+                     "is not for a store: export hogels or views, then pack them");
   if (line.subject == "pack") return packContent(session, true, line);
   const auto isTo = [&line](const char* layout) { return line.subject == layout; };
   const bool isQuilt = isTo("quilt");
@@ -66,7 +86,7 @@ int runExport(const CommandLine& line) {
     throw InputError("--export", "\"" + line.subject +
                                      "\" is not one of hogels, views, quilt, mosaic, pack, rig");
   const fs::path output = line.text("output");
-  const auto file = openLightField(session.lightField, session.display);
+  const auto file = contentToExport(session, line);
   checkOutputs({output}, inputFiles({line.text("session")}, session, *file));
   std::array<int, 2> tiles{};
   if (isQuilt) tiles = quiltTilesFor(*file, output);

@@ -216,7 +216,6 @@ int runReport(const CommandLine& line) {
   if (request.isAgainstIdeal) {
     requireLive(request.session);
     request.tests.push_back({"display", request.session, request.file});
-    addTwins(line, request);
   } else if (line.has("against")) {
     compareWithDesign(line, request);
   }

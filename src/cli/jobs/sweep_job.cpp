@@ -51,6 +51,8 @@ int runSweep(const CommandLine& line) {
               << " of them on the Pareto front,";
   std::cout << " in " << printable((folder / "sweep.csv").string()) << " and "
             << printable((folder / "sweep.html").string()) << "\n";
+  if (const std::string yield = yieldText(request.table, result.rows); !yield.empty())
+    std::cout << yield << "\n";
   return 0;
 }
 

@@ -250,13 +250,26 @@ std::vector<plugin::Ray> LiveSource::raysFrom(const Vec3& eye, std::span<const V
   return rays;
 }
 
-void LiveSource::trace(const Vec3& eye, std::span<const Vec2> slopes, std::span<Rgb> light) const {
-  const std::vector<plugin::Ray> rays = raysFrom(eye, slopes);
+void LiveSource::traceAll(std::span<const plugin::Ray> rays, std::span<Rgb> light) const {
   std::vector<plugin::Colour> colours(rays.size());
   m_content->trace(rays, colours);
   requireFinite(colours);
   for (std::size_t k = 0; k < rays.size(); ++k)
     light[k] = {double(colours[k].r), double(colours[k].g), double(colours[k].b)};
+}
+
+void LiveSource::trace(const Vec3& eye, std::span<const Vec2> slopes, std::span<Rgb> light) const {
+  traceAll(raysFrom(eye, slopes), light);
+}
+
+void LiveSource::traceRays(std::span<const PanelRay> panelRays, std::span<Rgb> light) const {
+  std::vector<plugin::Ray> rays;
+  rays.reserve(panelRays.size());
+  const double z = m_front;
+  for (const auto& [at, slopes] : panelRays)
+    rays.push_back({at.x + slopes.x * z, at.y + slopes.y * z, z, slopes.x, slopes.y,
+                    std::max(m_front - m_back, 0.0)});
+  traceAll(rays, light);
 }
 
 void LiveSource::traceDepths(const Vec3& eye, std::span<const Vec2> slopes,

@@ -36,6 +36,7 @@ class LiveSource : public LightFieldSource {
   /// Returns what of them is traced.
   [[nodiscard]] std::optional<std::array<double, 2>> depths() const override;
   void trace(const Vec3& eye, std::span<const Vec2> slopes, std::span<Rgb> light) const override;
+  void traceRays(std::span<const PanelRay> rays, std::span<Rgb> light) const override;
   void traceDepths(const Vec3& eye, std::span<const Vec2> slopes,
                    std::span<double> depths) const override;
 
@@ -47,6 +48,7 @@ class LiveSource : public LightFieldSource {
 
   [[nodiscard]] std::vector<plugin::Ray> raysFrom(const Vec3& eye,
                                                   std::span<const Vec2> slopes) const;
+  void traceAll(std::span<const plugin::Ray> rays, std::span<Rgb> light) const;
   void bisectDepths(std::vector<plugin::Ray> rays, std::span<double> depths) const;
   template <class T>
   void fill(const std::vector<std::uint8_t>& marks, LightField& texels,

@@ -31,6 +31,11 @@ Rgb LightFieldSource::texel(const TexelIndex& at) const {
   return slice({footprint, {}}, {})->texel(at);
 }
 
+void LightFieldSource::traceRays(std::span<const PanelRay> /*rays*/,
+                                 std::span<Rgb> /*light*/) const {
+  throw InputError("lightField.layout", noIdealView);
+}
+
 void LightFieldSource::trace(const Vec3& /*eye*/, std::span<const Vec2> /*slopes*/,
                              std::span<Rgb> /*light*/) const {
   throw InputError("lightField.layout", noIdealView);

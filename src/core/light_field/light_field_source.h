@@ -21,6 +21,13 @@ namespace hogelscope {
 
 class LightField;
 
+/// A ray of light in the display frame: its point on the panel (metres) and its slopes dx/dz, dy/dz
+/// toward the viewer.
+struct PanelRay {
+  Vec2 position;
+  Vec2 slopes;
+};
+
 /// The texels that a view reads. Both functions cast all of its rays.
 struct ViewReads {
   std::function<Footprint()> footprint;
@@ -63,6 +70,10 @@ class LightFieldSource {
   /// dx/dz, dy/dz. The eye is in the display frame, in metres; the spans have one size. May be
   /// called from several threads. Throws InputError for content that is not a live scene.
   virtual void trace(const Vec3& eye, std::span<const Vec2> slopes, std::span<Rgb> light) const;
+
+  /// Computes the light of a live scene along rays that leave the panel as texels' do. Throws
+  /// likewise.
+  virtual void traceRays(std::span<const PanelRay> rays, std::span<Rgb> light) const;
 
   /// Finds the depths z (display frame, metres) of what trace() sees; NaN for a ray that meets
   /// nothing. Content that does not know its depths is cut at ever more of them, and the depth is

@@ -7,7 +7,7 @@
 
 #include "core/base/geometry.h"
 #include "core/base/parameters.h"
-#include "core/light_field/texel.h"
+#include "core/light_field/light_field_source.h"
 #include "core/panel/hogel_lens.h"
 #include "core/panel/panel_map.h"
 
@@ -49,13 +49,6 @@ struct EyePlace {
   double across = 0;    ///< the same in the plane of x and z; positive on the panel's right
 };
 EyePlace eyePlaceOf(const DisplayParams& display, const Vec3& point);
-
-/// A ray of light in the display frame: its point on the panel (metres) and its slopes dx/dz, dy/dz
-/// toward the viewer.
-struct PanelRay {
-  Vec2 position;
-  Vec2 slopes;
-};
 
 /// The channel of a twin's rays that stands for all.
 constexpr std::size_t green = 1;

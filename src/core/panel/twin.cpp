@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <string>
 #include <tuple>
@@ -397,6 +398,31 @@ PanelRay Twin::rayOf(int i, int j, double u, double v, std::size_t channel) cons
   const double b = m_lenses[1]->slopeOf(upField / scale) + double(own.tiltY) -
                    array.convergence * lens.y - surface.slopeY;
   return {{lens.x - surface.z * a, lens.y - surface.z * b}, {a, b}};
+}
+
+double Twin::leastGain() const {
+  float least = std::numeric_limits<float>::infinity();
+  for (const auto& gains : m_gains)
+    for (const float gain : gains)
+      if (gain > 0) least = std::min(least, gain);
+  return std::isfinite(least) ? double(least) : 1;
+}
+
+TwinMaps Twin::drawn() const {
+  TwinMaps maps = m_maps;
+  const auto plane = [&](const auto& of, std::size_t count) {
+    TwinPlane values{m_size.nx, m_size.ny, {}};
+    for (std::size_t at = 0; at < count; ++at) values.values.push_back(of(at));
+    return values;
+  };
+  if (m_params.random.shift.sigma > 0) {
+    maps.shiftX = plane([&](std::size_t at) { return m_hogels[at].shiftX; }, m_hogels.size());
+    maps.shiftY = plane([&](std::size_t at) { return m_hogels[at].shiftY; }, m_hogels.size());
+  }
+  if (m_params.random.gain.sigma > 0)
+    for (std::size_t c = 0; c < 3; ++c)
+      maps.gain[c] = plane([&](std::size_t at) { return m_gains[at][c]; }, m_gains.size());
+  return maps;
 }
 
 double Twin::sigmaAt(int u, int v, double sigma) const {

@@ -127,6 +127,14 @@ class Twin {
   [[nodiscard]] Hit moved(Hit hit) const;
 
   [[nodiscard]] const LightFieldSize& size() const { return m_size; }
+  /// Whether hogels have gains; theirs, and the least of all colours that is above 0, else 1.
+  [[nodiscard]] bool hasGains() const { return !m_gains.empty(); }
+  [[nodiscard]] const std::array<float, 3>& gainOf(int i, int j) const {
+    return m_gains[hogelAt(i, j)];
+  }
+  [[nodiscard]] double leastGain() const;
+  /// Returns the maps with what was drawn in them, of the size of the hogels.
+  [[nodiscard]] TwinMaps drawn() const;
   /// Whether the leakage's width differs over the field.
   [[nodiscard]] bool leaksOverField() const {
     return m_params.leakage.sigmaGrowth > 0 || !m_maps.sigma.isEmpty();

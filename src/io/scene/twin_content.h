@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Content for one unit: texels that show through a twin what the light field would show through the
+// display as designed.
+#pragma once
+
+#include "core/panel/twin.h"
+#include "io/layouts/light_field_file.h"
+
+namespace hogelscope {
+
+/// A light field whose texels are the content's light along the twin's own rays: traced if the
+/// content is live, else that of the texel that the display as designed sends there. Each texel is
+/// divided by its hogel's gain, with the dimmest hogel that is not dark as white. Light outside the
+/// display's field is that of its border.
+class TwinContent : public LightFieldFile {
+ public:
+  /// `display` has its hogels and directions.
+  TwinContent(std::shared_ptr<LightFieldFile> content, bool isLive, const PanelParams& display,
+              std::shared_ptr<const Twin> twin);
+
+  [[nodiscard]] LightFieldSize size() const override { return m_content->size(); }
+  [[nodiscard]] std::vector<std::filesystem::path> files() const override {
+    return m_content->files();
+  }
+  [[nodiscard]] StoredType type() const override { return m_content->type(); }
+  [[nodiscard]] int bits() const override { return m_content->bits(); }
+  [[nodiscard]] std::vector<std::string> warnings() const override { return m_content->warnings(); }
+  [[nodiscard]] LightField read(const Progress& progress) override;
+  void stream(const HogelRow& row, const Progress& progress) override;
+
+ private:
+  [[nodiscard]] std::vector<Rgb> lightOf(const LightFieldSource& source, int j, int v) const;
+  [[nodiscard]] std::vector<Rgb> lightAlong(const LightFieldSource& source,
+                                            const std::vector<PanelRay>& rays) const;
+  void divideByGain(int j, std::vector<Rgb>& light) const;
+
+  std::shared_ptr<LightFieldFile> m_content;
+  bool m_isLive;
+  PanelParams m_params;
+  Display m_design;
+  std::shared_ptr<const Twin> m_twin;
+};
+
+}  // namespace hogelscope
