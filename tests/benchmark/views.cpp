@@ -7,6 +7,7 @@
 #include "core/base/parallel.h"
 #include "core/engine/fast_simulation.h"
 #include "core/metrics/panel_error.h"
+#include "core/panel/twin.h"
 #include "tests/benchmark/scene.h"
 
 namespace benchmarks {
@@ -58,6 +59,38 @@ RenderJob behindThrough64(int pose) {
 RenderJob quadrilinear(int pose) {
   RenderJob job = viewOf(pose);
   job.sampling.reconstruction = Reconstruction::quadrilinear;
+  return job;
+}
+
+enum class Unit { zero, affine, hogels, directions };
+
+/// A unit as it was built; each is made once.
+std::shared_ptr<const Twin> unitOf(Unit unit) {
+  static std::array<std::shared_ptr<const Twin>, 4> known;
+  auto& twin = known[std::size_t(unit)];
+  if (twin) return twin;
+  TwinParams params;
+  TwinMaps maps;
+  if (unit != Unit::zero) {
+    params.lensArray.rotation = 0.02;
+    params.lensArray.offset = {1e-5, 0};
+    params.lensArray.gapError = 0.01;
+  }
+  if (unit == Unit::hogels) params.random.shift.sigma = 3e-6;
+  if (unit == Unit::directions) {
+    maps.moveU = maps.moveV = {directions, directions, {}};
+    for (int k = 0; k < directions * directions; ++k) {
+      maps.moveU.values.push_back(0.1F * std::sin(0.3F * float(k % directions)));
+      maps.moveV.values.push_back(0.1F * std::cos(0.2F * float(k / directions)));
+    }
+  }
+  return twin = std::make_shared<const Twin>(params, maps, viewOf(0).display);
+}
+
+template <Unit unit>
+RenderJob built(int pose) {
+  RenderJob job = viewOf(pose);
+  job.twin = unitOf(unit);
   return job;
 }
 
@@ -230,6 +263,10 @@ void remapOpenCv(benchmark::State& state) {
 void addViews() {
   add("limit/nearest", limit, plain, 1, 1);
   add("view/nearest", timeViews, plain, 0);
+  add("view/nearest, twin without errors", timeViews, built<Unit::zero>, 0);
+  add("view/nearest, twin: lens array", timeViews, built<Unit::affine>, 0);
+  add("view/nearest, twin: hogels", timeViews, built<Unit::hogels>, 0);
+  add("view/nearest, twin: directions", timeViews, built<Unit::directions>, 0);
   add("limit/nearest distorted", limit, distorted, 1, 1);
   add("view/nearest distorted", timeViews, distorted, 0);
   add("limit/psf 5x5", limit, plain, 5, 1);

@@ -99,7 +99,9 @@ void IdealView::render(int x0, int x1, int y0, int y1, FloatImage& image) const 
 FloatImage renderIdeal(const RenderJob& job, LensTables& tables, const ParallelRows& parallelRows,
                        const Progress& progress) {
   const Progress polled = forThreads(progress);
-  const IdealView view(job, tables, parallelRows, polled);
+  RenderJob designed = job;
+  designed.twin = nullptr;  // the scene itself has nothing to do with a unit
+  const IdealView view(designed, tables, parallelRows, polled);
   const auto [width, height] = job.state.camera.res;
   FloatImage image(width, height);
   const int strips = (height + stripHeight - 1) / stripHeight;

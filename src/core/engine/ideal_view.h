@@ -9,8 +9,8 @@
 namespace hogelscope {
 
 /// Renders the ideal view with the lens, the samples and the resolution of the view. A pixel is
-/// seen exactly if it is seen in the view. Throws InputError as ViewRays and
-/// LightFieldSource::trace() do, and Cancelled.
+/// seen exactly if it is seen in the view of the display as designed. Throws InputError as ViewRays
+/// and LightFieldSource::trace() do, and Cancelled.
 FloatImage renderIdeal(const RenderJob& job, LensTables& tables, const ParallelRows& parallelRows,
                        const Progress& progress = {});
 

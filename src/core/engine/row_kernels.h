@@ -52,6 +52,6 @@ void copyRays(const HitMap& map, const BlockLayout& layout, const Texel<std::uin
 /// Fills a batch with the cells of one colour of a twin, of which others have the same; cell 0
 /// where nothing is seen.
 void findCells(const HitMap& map, const double* x, const double* y, int count, CellBatch& batch,
-               std::size_t channel = green);
+               std::size_t channel = greenChannel);
 
 }  // namespace hogelscope

@@ -42,6 +42,7 @@ RenderJob overview(const RenderJob& job) {
   coarse.display.hogels = {size.nx, size.ny};
   coarse.display.directions = {size.du, size.dv};
   coarse.state.psf.windowSize = 1;
+  coarse.twin = nullptr;  // whose hogels and directions are all of the display's
   return coarse;
 }
 

@@ -97,7 +97,7 @@ class ViewRays {
   void ideals(int y, int x0, int count, const RaySample& sample, IdealBatch& batch) const;
   /// Finds the cells that the rays through them meet from a point of the aperture.
   void cellsOf(const IdealBatch& ideals, int count, std::size_t point, CellBatch& batch,
-               std::size_t channel = green) const;
+               std::size_t channel = greenChannel) const;
   /// Finds the slopes dx/dz, dy/dz in the display frame of the same rays.
   void lines(int y, int x0, int count, const RaySample& sample, LineBatch& batch) const;
   /// Returns the texels that pixels [x0, x1) of row y may read, interpolation and leakage included.

@@ -71,6 +71,8 @@ void checkContent(const RenderJob& job) {
   if (!job.lightField) throw InputError("lightField", "is not loaded");
   (void)resolved(job.display, job.lightField->size());
   if (!job.twin) return;
+  if (job.twin->size() != job.lightField->size())
+    throw InputError("twin", "is of a display with other hogels or directions");
   if (job.twin->needsLinearLight() && job.state.psf.light != LightModel::linear)
     throw InputError("psf.light", "must be \"linear\", because the twin scales or adds light");
   if ((!job.twin->hogels().empty() || job.twin->hasDead() ||

@@ -125,7 +125,7 @@ Vec2 Display::position(double i, double j) const {
 }
 
 PanelRay Display::rayOf(const TexelIndex& at) const {
-  if (m_twin) return m_twin->rayOf(at.i, at.j, at.u + 0.5, at.v + 0.5, green);
+  if (m_twin) return m_twin->rayOf(at.i, at.j, at.u + 0.5, at.v + 0.5, greenChannel);
   const Vec2 place = position(at.i + 0.5, at.j + 0.5);
   const Vec2 middle = slopes(at.u + 0.5, at.v + 0.5);
   const Vec2 turned = turn(place);

@@ -51,7 +51,7 @@ struct EyePlace {
 EyePlace eyePlaceOf(const DisplayParams& display, const Vec3& point);
 
 /// The channel of a twin's rays that stands for all.
-constexpr std::size_t green = 1;
+constexpr std::size_t greenChannel = 1;
 
 /// The real-valued indices at which a ray meets the display; floor gives the hogel and direction.
 struct Hit {
@@ -83,12 +83,12 @@ class Display {
   /// Returns none if the eye is not in front of the panel, or the ray points away from it, misses
   /// it, or lies outside the hogel's angular field. Colours of a twin may have hits of their own.
   [[nodiscard]] std::optional<Hit> hit(const Vec3& eye, const Vec3& direction,
-                                       std::size_t channel = green) const;
+                                       std::size_t channel = greenChannel) const;
 
   /// Returns the hit with the panel's plane, also beyond the panel and the angular field. Returns
   /// none if the eye is not in front of the plane or the ray points away from it.
   [[nodiscard]] std::optional<Hit> intersectPlane(const Vec3& eye, const Vec3& direction,
-                                                  std::size_t channel = green) const;
+                                                  std::size_t channel = greenChannel) const;
   [[nodiscard]] bool isOnPanel(const Hit& place) const;
   [[nodiscard]] bool isInField(const Hit& place) const;
 

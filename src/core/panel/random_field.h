@@ -20,8 +20,8 @@ struct GridPart {
 double normalAt(std::uint32_t seed, std::uint32_t what, int i, int j);
 
 /// Returns draws row by row, of mean 0 and variance 1, whose correlation at the distance d is
-/// exp(−d²/length²), both in cells: independent ones filtered by a Gaussian of s = length/2,
-/// divided by √Σw². `length` 0: independent.
+/// exp(−d²/length²), both in cells, from a length of about 1.5 on: independent ones filtered by a
+/// Gaussian of s = length/2, divided by √Σw². `length` 0: independent.
 std::vector<float> randomField(std::uint32_t seed, std::uint32_t what, double length,
                                const GridPart& part);
 

@@ -293,6 +293,16 @@ HogelErrors Twin::errorsOf(int i, int j) const {
                   std::size_t(std::clamp(i, 0, nx - 1))];
 }
 
+Vec2 Twin::shiftOf(int i, int j) const {
+  const HogelErrors own = errorsOf(i, j);
+  const auto along = [&](std::size_t axis) {
+    const double pitch = axis == 0 ? i * m_array.pitch[0] : -j * m_array.pitch[1];
+    return m_array.middle[axis] + i * m_array.middleI[axis] + j * m_array.middleJ[axis] -
+           m_array.design[axis] - pitch;
+  };
+  return {along(0) + double(own.shiftX), along(1) + double(own.shiftY)};
+}
+
 std::optional<Hit> Twin::meet(const Vec3& eye, const Vec3& direction, std::size_t channel) const {
   if (!(eye.z > 0 && direction.z < 0)) return std::nullopt;
   double a = direction.x / direction.z;

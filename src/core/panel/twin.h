@@ -111,6 +111,8 @@ class Twin {
     return 1 + m_params.colour.scale[channel];
   }
   [[nodiscard]] const LensArrayMap& lensArray() const { return m_array; }
+  /// Returns how far a hogel's lens is from where its tile is, metres, to the right and up.
+  [[nodiscard]] Vec2 shiftOf(int i, int j) const;
   /// Returns the errors of each hogel, row by row; empty if all are 0.
   [[nodiscard]] const std::vector<HogelErrors>& hogels() const { return m_hogels; }
 

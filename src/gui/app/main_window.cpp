@@ -37,6 +37,7 @@
 #include "gui/view/image_commands.h"
 #include "gui/view/view_worker.h"
 #include "gui/widgets/colours.h"
+#include "gui/widgets/command.h"
 #include "gui/widgets/hint.h"
 #include "gui/widgets/polled_bar.h"
 #include "ui_main_window.h"
@@ -112,6 +113,9 @@ void MainWindow::connectActions() {
                            "displayDock", "statesDock", "samplingDock", "propertiesDock"})
     findChild<QDockWidget*>(name)->toggleViewAction()->setShortcut(Qt::CTRL | Qt::SHIFT |
                                                                    Qt::Key(digit++));
+  findChild<QDockWidget*>("twinDock")
+      ->toggleViewAction()
+      ->setShortcut(Qt::CTRL | Qt::ALT | Qt::Key_T);
   findChild<QDockWidget*>("eyesDock")
       ->toggleViewAction()
       ->setShortcut(Qt::CTRL | Qt::SHIFT | Qt::Key_0);
@@ -306,14 +310,19 @@ void MainWindow::connectLoader() {
     m_messages->showMessage(line);
   });
   connect(m_loader, &ContentLoader::failed, this, &MainWindow::showFailure);
+  addSwitch(m_ui->pictureMenu,
+            {"asBuiltAction", tr("As &built"),
+             tr("On: the unit that the session's twin describes. Off: the display as designed"),
+             Qt::Key_Y},
+            true, m_loader, &ContentLoader::showTwin);
   m_ui->tradeoffView->setViews([this] { return views(); });
 }
 
 void MainWindow::render() {
   if (!m_loader->isReady()) return;  // showScene() renders
   m_worker->render({m_player->shown(), m_loader->source()->display, m_model->session().sampling,
-                    m_method, m_imageCommands->other(), m_imageCommands->asksWhy(),
-                    m_imageCommands->eyes()});
+                    m_loader->source()->twin, m_method, m_imageCommands->other(),
+                    m_imageCommands->asksWhy(), m_imageCommands->eyes()});
 }
 
 void MainWindow::showView(const RenderedView& view) {

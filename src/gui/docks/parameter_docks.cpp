@@ -49,6 +49,35 @@ ParameterForm* DisplayDock::form(void (*visit)(ParameterVisitor&, DisplayParams&
                                     [this](const QString& why) { Q_EMIT failed(why); });
 }
 
+template <class Part>
+ParameterForm* TwinDock::form(Part& (*part)(TwinParams&)) {
+  return followingForm(
+      m_model,
+      [model = m_model, part](ParameterVisitor& visitor) {
+        TwinParams twin = model->session().twin;
+        describe(visitor, part(twin));
+        if (twin != model->session().twin) model->setTwin(twin);
+      },
+      [](ParameterVisitor& visitor) {
+        Part defaults;
+        describe(visitor, defaults);
+      });
+}
+
+TwinDock::TwinDock(SessionModel* model, QWidget* parent) : QWidget(parent), m_model(model) {
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->addWidget(stackWidgets(
+      {form<LensArrayErrors>([](TwinParams & twin) -> auto& { return twin.lensArray; }),
+       form<RandomShift>([](TwinParams & twin) -> auto& { return twin.random.shift; }),
+       form<RandomGain>([](TwinParams & twin) -> auto& { return twin.random.gain; }),
+       form<TwinRandom>([](TwinParams & twin) -> auto& { return twin.random; }),
+       form<ColourErrors>([](TwinParams & twin) -> auto& { return twin.colour; }),
+       form<LeakageErrors>([](TwinParams & twin) -> auto& { return twin.leakage; }),
+       form<LightErrors>([](TwinParams & twin) -> auto& { return twin.light; }),
+       form<TwinMapFiles>([](TwinParams & twin) -> auto& { return twin.maps; })}));
+}
+
 CameraDock::CameraDock(SessionModel* model, QWidget* parent)
     : QWidget(parent),
       m_model(model),

@@ -38,6 +38,21 @@ class DisplayDock : public QWidget {
   QToolButton* m_lock = nullptr;  ///< on: the size is held, off: the hogels' pitch
 };
 
+/// The twin dock: how the unit that is seen differs from the display as designed.
+class TwinDock : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit TwinDock(SessionModel* model, QWidget* parent = nullptr);
+
+ private:
+  /// Creates a form of a part of the twin, which `part` returns.
+  template <class Part>
+  ParameterForm* form(Part& (*part)(TwinParams&));
+
+  SessionModel* m_model;
+};
+
 /// The camera dock: the pose of the current state, and its field of view or its intrinsics.
 class CameraDock : public QWidget {
   Q_OBJECT

@@ -45,6 +45,10 @@ QStringList summariesOf(const Session& session, const CameraState& state) {
               .arg(display.hogels[1])
               .arg(display.directions[0])
               .arg(display.directions[1]),
+          session.twin.isZero() ? Properties::tr("as designed")
+          : session.twinFile.empty()
+              ? Properties::tr("as built")
+              : QFileInfo(QString::fromStdString(session.twinFile)).fileName(),
           QString::fromStdString(state.camera.name),
           eyesText(state),
           state.distortion == DistortionParams() ? Properties::tr("off") : Properties::tr("on"),
@@ -73,6 +77,7 @@ Properties::Properties(SessionModel* model, QAction* importAction, QMainWindow* 
   sampling->hideHeading();
   add("lightFieldDock", tr("Light field"), m_lightField, window);
   add("displayDock", tr("Display"), stackWidgets({display, m_numbers}), window);
+  add("twinDock", tr("Twin"), new TwinDock(model), window);
   add("cameraDock", tr("Camera"), new CameraDock(model), window);
   add("eyesDock", tr("Eyes"),
       stackWidgets({stateForm(model, &CameraState::pupil), stateForm(model, &CameraState::stereo)}),

@@ -258,7 +258,8 @@ void ReportDock::start() {
   if (!isEdited) request.sessionFile = m_model->file().toStdString();
   request.output = made.folder;
   request.command = "made in the window" + (isEdited ? ", from " + request.name : "");
-  request.reference = m_reference;
+  const bool isAsDesigned = !m_reference || m_reference->twin == nullptr;
+  if (isAsDesigned == made.session.twin.isZero()) request.reference = m_reference;
   m_ui->reportNote->clear();
   m_ui->reportStale->hide();
   m_test = 0;

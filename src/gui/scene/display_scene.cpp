@@ -56,6 +56,7 @@ DisplayScene::DisplayScene(VtkWidget& widget, QObject* parent)
       m_frusta(m_renderer),
       m_mesh(m_renderer),
       m_zone(m_renderer),
+      m_twin(m_renderer),
       m_picked(m_renderer),
       m_handles(m_renderer, widget.interactor(), nullptr),
       m_eyeTimer(new QTimer(this)) {
@@ -86,6 +87,7 @@ void DisplayScene::setColours(const Tokens& colours, const QColor& background) {
   m_panel.setColours(colours);
   m_frusta.setColours(colours);
   m_zone.setColours(colours);
+  m_twin.setColours(colours);
   m_picked.setColours(colours);
   m_widget.redraw();
 }

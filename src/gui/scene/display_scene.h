@@ -19,6 +19,7 @@
 #include "gui/scene/panel_actors.h"
 #include "gui/scene/pick_actors.h"
 #include "gui/scene/scene_handles.h"
+#include "gui/scene/twin_actors.h"
 #include "gui/widgets/colours.h"
 
 class QPainter;
@@ -59,6 +60,7 @@ class DisplayScene : public QObject {
   [[nodiscard]] PanelActors& panel() { return m_panel; }
   [[nodiscard]] MeshActors& mesh() { return m_mesh; }
   [[nodiscard]] ZoneActors& zone() { return m_zone; }
+  [[nodiscard]] TwinActors& twin() { return m_twin; }
   [[nodiscard]] PickActors& picked() { return m_picked; }
   [[nodiscard]] SceneHandles& handles() { return m_handles; }
   [[nodiscard]] vtkRenderer* renderer() const { return m_renderer; }
@@ -116,6 +118,7 @@ class DisplayScene : public QObject {
   FrustumActors m_frusta;
   MeshActors m_mesh;
   ZoneActors m_zone;
+  TwinActors m_twin;
   PickActors m_picked;
   SceneHandles m_handles;
   QTimer* m_eyeTimer;

@@ -247,6 +247,11 @@ void SceneController::addParts(QMenu* menu) {
           "where they are close together"),
        Qt::ALT | Qt::SHIFT | Qt::Key_G},
       false, [this](bool isOn) { m_scene->panel().setGridVisible(isOn); });
+  add({"sceneTwinAction", tr("Errors of the &twin"),
+       tr("Where the twin's lenses are shifted, as arrows of one scale, and which hogels are too "
+          "bright or too dim, in orange and blue"),
+       Qt::ALT | Qt::SHIFT | Qt::Key_B},
+      true, [this](bool isOn) { m_scene->twin().setVisible(isOn); });
   add({"sceneAxesAction", tr("World &axes"), tr("The axes x, y, z of the world"),
        Qt::ALT | Qt::SHIFT | Qt::Key_A},
       false, [this](bool isOn) { m_scene->setAxesVisible(isOn); });
@@ -317,6 +322,7 @@ void SceneController::connectScene() {
 void SceneController::setSource(const std::optional<ViewSource>& scene) {
   m_loaded = scene;
   m_display = scene ? scene->display : displayOf(m_model->session());
+  m_scene->twin().show(m_display, scene ? scene->twin.get() : nullptr);
   m_worker->setSource(scene);
   if (!scene) {
     m_scene->panel().setImage(nullptr);

@@ -118,7 +118,7 @@ void SessionModel::show(const Content& content) {
   m_session = content.session;
   const bool isOther = std::exchange(m_current, content.current) != content.current;
   if (before.display != m_session.display || before.lightField != m_session.lightField ||
-      before.sampling != m_session.sampling)
+      before.sampling != m_session.sampling || before.twin != m_session.twin)
     Q_EMIT contentChanged();
   const auto nameOf = [](const CameraState& state) { return state.camera.name; };
   if (!std::ranges::equal(before.cameras, m_session.cameras, {}, nameOf, nameOf))
@@ -171,6 +171,17 @@ void SessionModel::setContent(const Session& content) {
     session.lightField = content.lightField;
     session.sampling = content.sampling;
   });
+}
+
+void SessionModel::setTwin(const TwinParams& twin) {
+  Session changed = m_session;
+  changed.twin = twin;
+  changed.twinFile.clear();  // whose document says something else
+  if (twin.changesLight())
+    for (CameraState& state : changed.cameras) state.psf.light = LightModel::linear;
+  const std::string field = changedField(m_session, changed);
+  edit(tr("Change %1").arg(QString::fromStdString(field)),
+       [&](Session& session) { session = changed; });
 }
 
 void SessionModel::changeStates(const QString& name,

@@ -59,6 +59,8 @@ class SessionModel : public QObject {
   void editMarked(const std::function<void(CameraState&)>& action);
   /// Sets display, light field and sampling as an edit.
   void setContent(const Session& content);
+  /// Sets the twin as an edit. One that scales or adds light makes the light of all states linear.
+  void setTwin(const TwinParams& twin);
   /// Changes the list of states (core/cameras/state_list_edits.h); `action` returns the index of
   /// the new current state.
   void changeStates(const QString& name, const std::function<std::size_t(Session&)>& action);
@@ -69,7 +71,7 @@ class SessionModel : public QObject {
   void currentChanged();  ///< another state is current
   void edited();          ///< values of states have changed
   void statesChanged();   ///< states have been added, removed, renamed or reordered
-  void contentChanged();  ///< values of display, light field or sampling have changed
+  void contentChanged();  ///< values of display, twin, light field or sampling have changed
 
  private:
   struct Content {

@@ -75,6 +75,7 @@ std::optional<ViewSource> Comparison::other(const Session& session) const {
   if (!source) return source;
   source->sampling = session.sampling;
   if (m_other.hasOwnDisplay) return source;
+  source->twin = m_own ? m_own->twin : nullptr;
   source->display = displayOf(session);
   source->display.hogels = m_other.source->display.hogels;
   source->display.directions = m_other.source->display.directions;

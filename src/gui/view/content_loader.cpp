@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "gui/view/content_loader.h"
 
+#include <exception>
 #include <utility>
 
+#include "core/panel/twin.h"
 #include "gui/session/session_model.h"
 #include "gui/view/view_worker.h"
 
@@ -66,10 +68,33 @@ void ContentLoader::followImage() {
   if (m_source && !readTheSame(m_asked, m_model->session())) load();
 }
 
-/// The display and sampling of the session as they are now.
+void ContentLoader::showTwin(bool isBuilt) {
+  m_showsTwin = isBuilt;
+  if (isReady()) showSession();
+}
+
+/// Returns the session's twin; maps are read, and numbers drawn, only after they were edited.
+std::shared_ptr<const Twin> ContentLoader::twin(const PanelParams& display) {
+  const std::pair wanted{m_model->session().twin, display};
+  if (!m_showsTwin || wanted.first.isZero()) return nullptr;
+  if (!m_twin || m_twinOf != wanted) {
+    m_twin = twinOf(wanted.first, display);
+    m_twinOf = wanted;
+  }
+  return m_twin;
+}
+
+/// The display, twin and sampling of the session as they are now.
 void ContentLoader::showSession() {
   m_source->display = resolved(displayOf(m_model->session()), m_source->lightField->size());
   m_source->sampling = m_model->session().sampling;
+  m_source->twin = nullptr;
+  try {
+    m_source->twin = twin(m_source->display);
+  } catch (const std::exception& error) {
+    Q_EMIT failed(QString::fromUtf8(error.what()));
+    return;
+  }
   Q_EMIT sourceChanged();
 }
 

@@ -28,6 +28,8 @@ class ContentLoader : public QObject {
   /// Whether scene() is what the session asks for.
   [[nodiscard]] bool isReady() const { return m_source && !m_isReading; }
 
+  /// Sets whether views are of the session's twin, or of the display as designed.
+  void showTwin(bool isBuilt);
   /// Reads the session's light field.
   void load();
   /// Follows an edit of the session's content. Returns whether sourceChanged() was emitted for it.
@@ -50,6 +52,7 @@ class ContentLoader : public QObject {
   void forget();
   void end();
   void sayReading();
+  [[nodiscard]] std::shared_ptr<const Twin> twin(const PanelParams& display);
   void showSession();
   void onLoaded(const ViewSource& source);
   void onFailed(const QString& line);
@@ -59,7 +62,11 @@ class ContentLoader : public QObject {
   ViewWorker* m_worker;
   QTimer m_delay;  ///< until reading a live scene's edit is reported
   std::optional<ViewSource> m_source;
-  Session m_asked;           ///< the session whose light field is being read or was read last
+  Session m_asked;  ///< the session whose light field is being read or was read last
+  bool m_showsTwin = true;
+  /// The twin that was made last, its parameters and its display.
+  std::shared_ptr<const Twin> m_twin;
+  std::pair<TwinParams, PanelParams> m_twinOf;
   bool m_isReading = false;  ///< m_asked is being read; m_source is an older light field, if any
   bool m_isAwaited = false;  ///< the first image of m_asked has not been rendered yet
 };

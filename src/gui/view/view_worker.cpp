@@ -155,8 +155,10 @@ void ViewWorker::serve(LatestWins::Lock& lock) {
 void ViewWorker::loadNow(const Session& session) {
   m_source.reset();  // frees the old one's memory before the new one is read
   m_lens.reset();    // its result may have been dropped
+  Session designed = session;
+  designed.twin = {};  // which comes with each request
   try {
-    m_source = loadViewSource(session, [this](double done) {
+    m_source = loadViewSource(designed, [this](double done) {
       if (hasNewer(true)) return false;  // the share belongs to the newer request now
       m_readShare = done;
       return true;
@@ -223,6 +225,7 @@ void ViewWorker::renderAt(int scale, double patience, const ViewRequest& request
   ViewSource source = *m_source;
   source.display = resolved(request.display, source.lightField->size());
   source.sampling = request.sampling;
+  source.twin = request.twin;
   try {
     if (request.other) {
       const Shown other = renderEyes(*request.other, scale, request);

@@ -50,6 +50,7 @@ struct ViewRequest {
   CameraState state;
   PanelParams display;
   SamplingParams sampling;
+  std::shared_ptr<const Twin> twin;   ///< null: the display as designed
   std::optional<NamedMethod> method;  ///< none: the session's own
   std::optional<ViewSource> other;    ///< the second light field
   bool asksWhy = false;               ///< why pixels are not seen

@@ -287,7 +287,7 @@ void ParameterForm::applyEdit(QObject* editor) {
 void ParameterForm::group(std::string_view name, std::string_view help) {
   setObjectName(toQString(name) + "Form");
   m_group = toQString(name);
-  m_heading->setText(toQString(formLabel(name)));
+  m_heading->setText(toQString(formLabel(name.substr(name.rfind('.') + 1))));
   setToolTip(toQString(help));
 }
 

@@ -32,6 +32,14 @@ class Values : public ParameterVisitor {
   explicit Values(Session session) {
     describe(*this, session.display);
     if (session.display.lensParams.isGiven()) describe(*this, session.display.lensParams);
+    describe(*this, session.twin.lensArray);
+    describe(*this, session.twin.colour);
+    describe(*this, session.twin.leakage);
+    describe(*this, session.twin.light);
+    describe(*this, session.twin.random);
+    describe(*this, session.twin.random.shift);
+    describe(*this, session.twin.random.gain);
+    describe(*this, session.twin.maps);
     describe(*this, session.lightField);
     if (session.lightField.content.isGiven()) describe(*this, session.lightField.content);
     describe(*this, session.lightField.live);

@@ -98,7 +98,7 @@ std::vector<Rgb> TwinContent::lightOf(const LightFieldSource& source, int j, int
       for (int u = 0; u < du; ++u) rays.push_back(m_twin->rayOf(i, j, u + 0.5, v + 0.5, channel));
     return lightAlong(source, rays);
   };
-  std::vector<Rgb> light = along(green);
+  std::vector<Rgb> light = along(greenChannel);
   if (m_twin->splitsColours()) {
     const std::vector<Rgb> red = along(0);
     const std::vector<Rgb> blue = along(2);
