@@ -33,6 +33,9 @@ void FastSimulation::row(int y, int x0, int x1, std::uint8_t* rgb, std::uint8_t*
   if (m_rays.plan().copiesTexels && m_rays.lens() != nullptr && m_rays.plan().hasLinearHogels &&
       !m_rays.plan().movesRays)
     return copyRow(y, x0, x1, rgb, seen);
+  if (m_rays.plan().copiesTexels && m_rays.plan().isSimpleTwin &&
+      (m_rays.lens() != nullptr || !m_rays.plan().hasLens))
+    return copyTwinRow(y, x0, x1, rgb, seen);
   std::vector<float> sums(3 * count);
   sumRow(y, x0, x1, sums.data(), seen);
   quantise(sums.data(), int(sums.size()), rgb);
@@ -59,6 +62,22 @@ void FastSimulation::copyRow(int y, int x0, int x1, std::uint8_t* rgb, std::uint
   const RaySample& sample = m_rays.samplesFrom(0).front();
   copyRays(m_rays.map(0), m_texels->layout(), byteTexels(), lens.x(y, sample) + x0,
            lens.y(y, sample) + x0, x1 - x0, rgb, seen);
+}
+
+void FastSimulation::copyTwinRow(int y, int x0, int x1, std::uint8_t* rgb,
+                                 std::uint8_t* seen) const {
+  const RaySample& sample = m_rays.samplesFrom(0).front();
+  std::vector<double> plainY;
+  const double* xs = m_rays.plainX(x0);
+  const double* ys = nullptr;
+  if (const LensTable* lens = m_rays.lens(); lens != nullptr) {
+    xs = lens->x(y, sample) + x0;
+    ys = lens->y(y, sample) + x0;
+  } else {
+    plainY.assign(std::size_t(x1 - x0), m_rays.plainY(y));
+    ys = plainY.data();
+  }
+  copyTwinRays(m_rays.map(0), m_texels->layout(), byteTexels(), xs, ys, x1 - x0, rgb, seen);
 }
 
 const Texel<std::uint8_t>* FastSimulation::byteTexels() const {

@@ -3,8 +3,10 @@
 #include "core/engine/row_kernels.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <optional>
+#include <type_traits>
 
 #include "core/base/multiversioned.h"
 #include "core/panel/twin.h"
@@ -16,6 +18,8 @@ namespace {
 /// The numbers of a HitMap in the precision of the arithmetic.
 template <class Real>
 struct RealMap {
+  using Number = Real;
+  static constexpr bool isAffineTwin = false;
   explicit RealMap(const HitMap& m) {
     for (std::size_t c = 0; c < 3; ++c) {
       right[c] = static_cast<Real>(m.right[c]);
@@ -143,6 +147,117 @@ inline __attribute__((always_inline)) RealHit<Real> meet(const TwinMap<Real>& m,
   return h;
 }
 
+/// The same, and whether its hogels differ, and whether Twin::moved() changes hits.
+template <class Real, bool hasHogels, bool moves>
+struct RayMap : TwinMap<Real> {
+  using TwinMap<Real>::TwinMap;
+};
+
+/// A twin whose hits are affine (Twin::isAffine): i and j in both slopes, u and v in one slope and
+/// in the hogel; and whether its hogels have moves of their own, and its directions.
+template <class Real, bool hasMoves, bool directions>
+struct AffineMap : RealMap<Real> {
+  explicit AffineMap(const HitMap& map) : RealMap<Real>(map), twin(*map.panel.twin) {
+    const auto& [cell, cellX, cellY, middle, middleI, middleJ, design, pitch, wedge, field, gap,
+                 focal, convergence] = twin.lensArray();
+    const auto& [ex, ey, ez] = map.panel.eye;
+    const double g = 1 + gap;
+    const double blur = g / (1 + focal) - 1;
+    const auto real = [](double value) { return static_cast<Real>(value); };
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+      at[axis] = {real(cell[axis] + cellX[axis] * ex + cellY[axis] * ey), real(-cellX[axis] * ez),
+                  real(-cellY[axis] * ez)};
+      const double sign = axis == 0 ? 1 : -1;  // v is downwards
+      const double eye = axis == 0 ? ex : ey;
+      const double cells = sign * map.panel.count[axis + 2];
+      const double step = axis == 0 ? pitch[0] : -pitch[1];
+      const double own = axis == 0 ? middleI[0] : middleJ[1];  // along the axis, for a hogel
+      const double other = axis == 0 ? middleJ[0] : middleI[1];
+      found[axis] = {
+          real(map.panel.count[axis + 2] * 0.5 +
+               cells *
+                   (g * convergence * eye / field[axis] +
+                    (blur * (eye - middle[axis]) - (middle[axis] - design[axis])) / pitch[axis])),
+          real(cells * (g * (1 - convergence * ez) / field[axis] - blur * ez / pitch[axis])),
+          real(-cells * (blur * own + own - step) / pitch[axis]),
+          real(-cells * (blur * other + other) / pitch[axis])};
+    }
+    if constexpr (hasMoves) moves = twin.hogelMoves().data();
+  }
+  static constexpr bool isAffineTwin = true;
+  static constexpr bool hasDirections = directions;
+
+  const Twin& twin;
+  std::array<std::array<Real, 3>, 2> at{};  ///< i, j: constant, of a, of b
+  std::array<std::array<Real, 4>, 2>
+      found{};  ///< u, v: constant, of the slope, of i or j, of j or i
+  const std::array<float, 2>* moves = nullptr;
+};
+
+template <class Real>
+inline __attribute__((always_inline)) RealHit<Real> hitAt(const RealMap<Real>& m, Real x, Real y) {
+  return hitOf(m, x, y);
+}
+
+template <class Real, bool hasHogels, bool moves>
+inline __attribute__((always_inline)) RealHit<Real> hitAt(const RayMap<Real, hasHogels, moves>& m,
+                                                          Real x, Real y) {
+  const RealHit<Real> h = meet<hasHogels>(m, x, y);
+  if constexpr (!moves) return h;
+  const Hit moved = m.twin.moved({double(h.i), double(h.j), double(h.u), double(h.v)});
+  return {static_cast<Real>(moved.i), static_cast<Real>(moved.j), static_cast<Real>(moved.u),
+          static_cast<Real>(moved.v), h.isToward};
+}
+
+/// Without the moves of hogels and the map of directions; `hogel` is the one that is met.
+template <class Real, bool hasMoves, bool directions>
+inline __attribute__((always_inline)) RealHit<Real> hitAt(
+    const AffineMap<Real, hasMoves, directions>& m, Real x, Real y, std::int32_t& hogel) {
+  const Real dx = m.right[0] * x + m.down[0] * y + m.forward[0];
+  const Real dy = m.right[1] * x + m.down[1] * y + m.forward[1];
+  const Real dz = m.right[2] * x + m.down[2] * y + m.forward[2];
+  const Real inverse = 1 / dz;
+  const Real a = dx * inverse;
+  const Real b = dy * inverse;
+  RealHit<Real> h;
+  h.i = m.at[0][0] + m.at[0][1] * a + m.at[0][2] * b;
+  h.j = m.at[1][0] + m.at[1][1] * a + m.at[1][2] * b;
+  h.isToward = dz < 0;
+  const auto inside = [](Real index, Real count) {
+    const Real least = index > 0 ? index : 0;
+    return static_cast<std::int32_t>(least < count - 1 ? least : count - 1);
+  };
+  const std::int32_t column = inside(h.i, m.count[0]);
+  const std::int32_t row = inside(h.j, m.count[1]);
+  const auto i = static_cast<Real>(column);
+  const auto j = static_cast<Real>(row);
+  h.u = m.found[0][0] + m.found[0][1] * a + m.found[0][2] * i + m.found[0][3] * j;
+  h.v = m.found[1][0] + m.found[1][1] * b + m.found[1][2] * j + m.found[1][3] * i;
+  hogel = row * static_cast<std::int32_t>(m.count[0]) + column;
+  return h;
+}
+
+/// Calls `use` with the map that a twin needs.
+template <class Real, class Use>
+inline __attribute__((always_inline)) void withTwinMap(const HitMap& map, std::size_t channel,
+                                                       Use use) {
+  const Twin& twin = *map.panel.twin;
+  const bool hasHogels = !twin.hogels().empty();
+  const bool hasDirections = twin.directionTable().width > 0;
+  if (twin.isAffine() && (hasDirections || !twin.movesHits())) {
+    if (hasDirections)
+      hasHogels ? use(AffineMap<Real, true, true>(map)) : use(AffineMap<Real, false, true>(map));
+    else
+      hasHogels ? use(AffineMap<Real, true, false>(map)) : use(AffineMap<Real, false, false>(map));
+  } else if (twin.movesHits()) {
+    hasHogels ? use(RayMap<Real, true, true>(map, channel))
+              : use(RayMap<Real, false, true>(map, channel));
+  } else {
+    hasHogels ? use(RayMap<Real, true, false>(map, channel))
+              : use(RayMap<Real, false, false>(map, channel));
+  }
+}
+
 /// Whether all indices are in range. It is bitwise on purpose, without branches. Returns false for
 /// NaN.
 template <class Real>
@@ -182,23 +297,194 @@ struct CellStrip {
 
 enum class Rays { any, hits };
 
+/// Finds the indices of a strip, in range or not, before the map of directions. `toward` is not 0
+/// where the ray points to the panel.
+template <class Real, bool hasMoves, bool directions>
+inline __attribute__((always_inline)) void findHits(const AffineMap<Real, hasMoves, directions>& m,
+                                                    const double* x, const double* y,
+                                                    std::array<Strip<Real>, 4>& index,
+                                                    Strip<std::uint32_t>& toward) {
+  Strip<std::int32_t> hogel;
+  for (std::size_t k = 0; k < stripSize; ++k) {
+    std::int32_t own = 0;
+    const RealHit<Real> h = hitAt(m, static_cast<Real>(x[k]), static_cast<Real>(y[k]), own);
+    index[0][k] = h.i;
+    index[1][k] = h.j;
+    index[2][k] = h.u;
+    index[3][k] = h.v;
+    toward[k] = h.isToward ? ~0U : 0;
+    hogel[k] = own;
+  }
+  if constexpr (hasMoves) {
+    const float* const moves = m.moves->data();
+    Strip<float> moveU, moveV;
+    for (std::size_t k = 0; k < stripSize; ++k) moveU[k] = moves[2 * hogel[k]];
+    for (std::size_t k = 0; k < stripSize; ++k) moveV[k] = moves[2 * hogel[k] + 1];
+    for (std::size_t k = 0; k < stripSize; ++k) {
+      index[2][k] += static_cast<Real>(moveU[k]);
+      index[3][k] += static_cast<Real>(moveV[k]);
+    }
+  }
+}
+
+/// The bilinear function of a direction table around the places of a strip, and how it grows for
+/// each direction.
+template <class Real>
+struct TableStrip {
+  Strip<Real> u, v, uAcross, vAcross, uDown, vDown;
+};
+
+/// The places' parts have loops of their own, because a loop of one kind of step is vectorised.
+template <class Real>
+inline __attribute__((always_inline)) void readTable(const float* table, const DirectionTable& of,
+                                                     Real perU, Real perV, const Strip<Real>& u,
+                                                     const Strip<Real>& v, TableStrip<Real>& at) {
+  const std::int32_t width = of.width;
+  const std::int32_t lastX = of.width - 2;
+  const std::int32_t lastY = of.height - 2;
+  const auto across = static_cast<Real>(of.width - 1);
+  const auto down = static_cast<Real>(of.height - 1);
+  constexpr auto half = static_cast<Real>(0.5);
+  Strip<std::int32_t> top;
+  Strip<Real> fx, fy, insideX, insideY;
+  for (std::size_t k = 0; k < stripSize; ++k) {
+    const Real x = u[k] * perU - half;
+    const Real y = v[k] * perV - half;
+    const Real boundX = x > 0 ? (x < across ? x : across) : 0;
+    const Real boundY = y > 0 ? (y < down ? y : down) : 0;
+    const std::int32_t i = std::min(static_cast<std::int32_t>(boundX), lastX);
+    const std::int32_t j = std::min(static_cast<std::int32_t>(boundY), lastY);
+    fx[k] = boundX - static_cast<Real>(i);
+    fy[k] = boundY - static_cast<Real>(j);
+    insideX[k] = boundX == x ? perU : 0;
+    insideY[k] = boundY == y ? perV : 0;
+    top[k] = 2 * (j * width + i);
+  }
+  // Of the upper left, upper right, lower left and lower right node.
+  std::array<Strip<float>, 4> nodeU, nodeV;
+  const std::array<std::int32_t, 4> offset{0, 2, 2 * width, 2 * width + 2};
+  for (std::size_t n = 0; n < 4; ++n) {
+    const float* const from = table + offset[n];
+    for (std::size_t k = 0; k < stripSize; ++k) nodeU[n][k] = from[top[k]];
+    for (std::size_t k = 0; k < stripSize; ++k) nodeV[n][k] = from[top[k] + 1];
+  }
+  const auto blend = [&](const std::array<Strip<float>, 4>& node, Strip<Real>& value,
+                         Strip<Real>& growsAcross, Strip<Real>& growsDown)
+      __attribute__((always_inline)) {
+    for (std::size_t k = 0; k < stripSize; ++k) {
+      const auto upper = static_cast<Real>(node[0][k]);
+      const auto lower = static_cast<Real>(node[2][k]);
+      const Real along = static_cast<Real>(node[1][k]) - upper;
+      const Real alongLower = static_cast<Real>(node[3][k]) - lower;
+      const Real onUpper = upper + fx[k] * along;
+      const Real onLower = lower + fx[k] * alongLower;
+      value[k] = onUpper + fy[k] * (onLower - onUpper);
+      growsAcross[k] = insideX[k] * (along + fy[k] * (alongLower - along));
+      growsDown[k] = insideY[k] * (onLower - onUpper);
+    }
+  };
+  blend(nodeU, at.u, at.uAcross, at.uDown);
+  blend(nodeV, at.v, at.vAcross, at.vDown);
+}
+
+/// Finds the indices of a strip of a twin with a map of directions: from the table of its inverse
+/// by two of Newton's steps, and by Twin::moved() where these do not suffice.
+template <class Map, class Real>
+inline __attribute__((always_inline)) void findMoved(const Map& m, const double* x, const double* y,
+                                                     std::array<Strip<Real>, 4>& index,
+                                                     Strip<std::uint32_t>& seen) {
+  const DirectionTable& table = m.twin.directionTable();
+  const Real perU = static_cast<Real>(table.width) / m.count[2];
+  const Real perV = static_cast<Real>(table.height) / m.count[3];
+  Strip<Real> designU, designV;
+  findHits(m, x, y, index, seen);
+  for (std::size_t k = 0; k < stripSize; ++k) {
+    const bool isOnPanel =
+        static_cast<bool>((seen[k] != 0) & (index[0][k] >= 0) & (index[0][k] < m.count[0]) &
+                          (index[1][k] >= 0) & (index[1][k] < m.count[1]));
+    index[0][k] = isOnPanel ? index[0][k] : -1;
+    designU[k] = isOnPanel ? index[2][k] : 0;
+    designV[k] = isOnPanel ? index[3][k] : 0;
+  }
+  TableStrip<Real> at;
+  readTable(table.back.data(), table, perU, perV, designU, designV, at);
+  auto& foundU = index[2];
+  auto& foundV = index[3];
+  for (std::size_t k = 0; k < stripSize; ++k) {
+    foundU[k] = designU[k] + at.u[k];
+    foundV[k] = designV[k] + at.v[k];
+  }
+  Strip<Real> rest;
+  for (int step = 0; step < 2; ++step) {
+    readTable(table.moves.data(), table, perU, perV, foundU, foundV, at);
+    for (std::size_t k = 0; k < stripSize; ++k) {
+      const Real restU = designU[k] - foundU[k] - at.u[k];
+      const Real restV = designV[k] - foundV[k] - at.v[k];
+      rest[k] = std::max(std::abs(restU), std::abs(restV));
+      const Real acrossU = 1 + at.uAcross[k];
+      const Real downV = 1 + at.vDown[k];
+      const Real perDeterminant = 1 / (acrossU * downV - at.uDown[k] * at.vAcross[k]);
+      foundU[k] += (restU * downV - restV * at.uDown[k]) * perDeterminant;
+      foundV[k] += (restV * acrossU - restU * at.vAcross[k]) * perDeterminant;
+    }
+  }
+  // Before the last step; a cell of the map that was left meanwhile makes it no better than this.
+  constexpr auto enough = static_cast<Real>(1e-6);
+  for (std::size_t k = 0; k < stripSize; ++k) {
+    if (rest[k] <= enough || index[0][k] < 0) continue;
+    const Hit moved = m.twin.moved(
+        {double(index[0][k]), double(index[1][k]), double(designU[k]), double(designV[k])});
+    foundU[k] = static_cast<Real>(moved.u);
+    foundV[k] = static_cast<Real>(moved.v);
+  }
+  for (std::size_t k = 0; k < stripSize; ++k) {
+    const RealHit<Real> h{index[0][k], index[1][k], foundU[k], foundV[k], true};
+    const bool isHit = isSeen(m, h);
+    for (auto& axis : index) axis[k] = isHit ? axis[k] : 0;
+    seen[k] = isHit ? ~0U : 0;
+  }
+}
+
+/// Finds the indices of a strip of an affine twin, 0 where nothing is seen.
+template <class Map, class Real>
+inline __attribute__((always_inline)) void findAffine(const Map& m, const double* x,
+                                                      const double* y,
+                                                      std::array<Strip<Real>, 4>& index,
+                                                      Strip<std::uint32_t>& seen) {
+  if constexpr (Map::hasDirections) {
+    findMoved(m, x, y, index, seen);
+  } else {
+    findHits(m, x, y, index, seen);
+    for (std::size_t k = 0; k < stripSize; ++k) {
+      const RealHit<Real> h{index[0][k], index[1][k], index[2][k], index[3][k], seen[k] != 0};
+      const bool isHit = isSeen(m, h);
+      for (auto& axis : index) axis[k] = isHit ? axis[k] : 0;
+      seen[k] = isHit ? ~0U : 0;
+    }
+  }
+}
+
 /// Finds the cells of a strip; Rays::hits have one y. The indices have a loop, and the cells of
 /// each axis have one: a processor overlaps the iterations of short loops better than those of one
 /// long loop.
-template <Rays rays, class Real>
-inline __attribute__((always_inline)) void findStrip(const RealMap<Real>& m, const double* x,
-                                                     const double* y, CellStrip& strip) {
+template <Rays rays, class Map>
+inline __attribute__((always_inline)) void findStrip(const Map& m, const double* x, const double* y,
+                                                     CellStrip& strip) {
+  using Real = typename Map::Number;
   std::array<Strip<Real>, 4> index;
-  for (std::size_t k = 0; k < stripSize; ++k) {
-    const RealHit<Real> h =
-        hitOf(m, static_cast<Real>(x[k]), static_cast<Real>(y[rays == Rays::hits ? 0 : k]));
-    const bool seen = rays == Rays::hits || isSeen(m, h);
-    index[0][k] = seen ? h.i : 0;
-    index[1][k] = seen ? h.j : 0;
-    index[2][k] = seen ? h.u : 0;
-    index[3][k] = seen ? h.v : 0;
-    strip.seen[k] = seen ? ~0U : 0;
-  }
+  if constexpr (Map::isAffineTwin) {
+    findAffine(m, x, y, index, strip.seen);
+  } else
+    for (std::size_t k = 0; k < stripSize; ++k) {
+      const RealHit<Real> h =
+          hitAt(m, static_cast<Real>(x[k]), static_cast<Real>(y[rays == Rays::hits ? 0 : k]));
+      const bool seen = rays == Rays::hits || isSeen(m, h);
+      index[0][k] = seen ? h.i : 0;
+      index[1][k] = seen ? h.j : 0;
+      index[2][k] = seen ? h.u : 0;
+      index[3][k] = seen ? h.v : 0;
+      strip.seen[k] = seen ? ~0U : 0;
+    }
   for (std::size_t axis = 0; axis < 4; ++axis) {
     const auto last = static_cast<std::uint32_t>(m.count[axis]) - 1;
     for (std::size_t k = 0; k < stripSize; ++k) {
@@ -209,10 +495,12 @@ inline __attribute__((always_inline)) void findStrip(const RealMap<Real>& m, con
 }
 
 /// Finds and prefetches the addresses of at most a strip of rays.
-template <Rays rays, class Real>
-inline __attribute__((always_inline)) void findAddresses(
-    const RealMap<Real>& m, const BlockLayout& l, const Texel<std::uint8_t>* texels,
-    const double* x, const double* y, int count, std::uint32_t* address, std::uint8_t* seen) {
+template <Rays rays, class Map>
+inline __attribute__((always_inline)) void findAddresses(const Map& m, const BlockLayout& l,
+                                                         const Texel<std::uint8_t>* texels,
+                                                         const double* x, const double* y,
+                                                         int count, std::uint32_t* address,
+                                                         std::uint8_t* seen) {
   Strip<double> paddedX;
   Strip<double> paddedY;
   if (count < stripSize) {
@@ -238,13 +526,13 @@ inline __attribute__((always_inline)) void findAddresses(
 
 /// Copies a texel for each ray, whose address is found `ahead` rays before, so that it has come
 /// from memory by then.
-template <Rays rays, class Real>
-inline __attribute__((always_inline)) void copyTexels(const HitMap& map, const BlockLayout& layout,
+template <Rays rays, class Map>
+inline __attribute__((always_inline)) void copyTexels(const Map& map, const BlockLayout& layout,
                                                       const Texel<std::uint8_t>* texels,
                                                       const double* x, const double* y, int count,
                                                       std::uint8_t* rgb, std::uint8_t* seen) {
   constexpr int ahead = 128;
-  const RealMap<Real> m(map);  // a copy, so that the compiler knows that stores do not change it
+  const Map m(map);  // a copy, so that the compiler knows that stores do not change it
   const BlockLayout l = layout;
   std::array<std::uint32_t, 2 * ahead> address;
   const auto strip = [&](int first) { return &address[std::size_t(first % (2 * ahead))]; };
@@ -345,37 +633,50 @@ void metCells(const HitMap& map, const double* x, const double* y, int count, st
   split(found, count, batch);
 }
 
-template <bool hasHogels, class Real>
+/// Fills a batch with strips of an affine twin.
+template <class Map, class Real>
+inline __attribute__((always_inline)) void affineCells(const Map& m, const double* x,
+                                                       const double* y, int count,
+                                                       IndexBatch<Real>& found) {
+  for (int first = 0; first < count; first += stripSize) {
+    const auto rays = std::size_t(std::min(stripSize, count - first));
+    Strip<double> stripX, stripY;
+    stripX.fill(x[first]);
+    stripY.fill(y[first]);
+    std::copy_n(x + first, rays, stripX.begin());
+    std::copy_n(y + first, rays, stripY.begin());
+    std::array<Strip<Real>, 4> index;
+    Strip<std::uint32_t> seen;
+    findAffine(m, stripX.data(), stripY.data(), index, seen);
+    for (std::size_t axis = 0; axis < 4; ++axis)
+      std::copy_n(index[axis].begin(), rays, found.index[axis].begin() + first);
+    for (std::size_t k = 0; k < rays; ++k)
+      found.seen[std::size_t(first) + k] = seen[k] != 0 ? 255 : 0;
+  }
+}
+
+template <class Real>
 inline __attribute__((always_inline)) void twinCellsIn(const HitMap& map, const double* x,
                                                        const double* y, int count,
                                                        std::size_t channel, CellBatch& batch) {
-  const TwinMap<Real> m(map, channel);
   IndexBatch<Real> found;
-  if (m.twin.movesHits()) {
-    for (std::size_t k = 0; k < std::size_t(count); ++k) {
-      RealHit<Real> h = meet<hasHogels>(m, static_cast<Real>(x[k]), static_cast<Real>(y[k]));
-      const Hit moved = m.twin.moved({double(h.i), double(h.j), double(h.u), double(h.v)});
-      h = {static_cast<Real>(moved.i), static_cast<Real>(moved.j), static_cast<Real>(moved.u),
-           static_cast<Real>(moved.v), h.isToward};
-      keep(m, h, k, found);
-    }
-  } else {
-    for (std::size_t k = 0; k < std::size_t(count); ++k)
-      keep(m, meet<hasHogels>(m, static_cast<Real>(x[k]), static_cast<Real>(y[k])), k, found);
-  }
+  withTwinMap<Real>(
+      map, channel, [&](const auto& m) __attribute__((always_inline)) {
+        if constexpr (std::decay_t<decltype(m)>::isAffineTwin)
+          return affineCells(m, x, y, count, found);
+        for (std::size_t k = 0; k < std::size_t(count); ++k)
+          keep(m, hitAt(m, static_cast<Real>(x[k]), static_cast<Real>(y[k])), k, found);
+      });
   split(found, count, batch);
 }
 
 MULTIVERSIONED
 void simpleCells(const HitMap& map, const double* x, const double* y, int count,
                  std::size_t channel, CellBatch& batch) {
-  const bool hasHogels = !map.panel.twin->hogels().empty();
   if (map.isSingle)
-    hasHogels ? twinCellsIn<true, float>(map, x, y, count, channel, batch)
-              : twinCellsIn<false, float>(map, x, y, count, channel, batch);
+    twinCellsIn<float>(map, x, y, count, channel, batch);
   else
-    hasHogels ? twinCellsIn<true, double>(map, x, y, count, channel, batch)
-              : twinCellsIn<false, double>(map, x, y, count, channel, batch);
+    twinCellsIn<double>(map, x, y, count, channel, batch);
 }
 
 void twinCells(const HitMap& map, const double* x, const double* y, int count, std::size_t channel,
@@ -392,18 +693,28 @@ MULTIVERSIONED
 void copyHits(const HitMap& map, const BlockLayout& layout, const Texel<std::uint8_t>* texels,
               const double* x, double y, int count, std::uint8_t* rgb) {
   if (map.isSingle)
-    copyTexels<Rays::hits, float>(map, layout, texels, x, &y, count, rgb, nullptr);
+    copyTexels<Rays::hits>(RealMap<float>(map), layout, texels, x, &y, count, rgb, nullptr);
   else
-    copyTexels<Rays::hits, double>(map, layout, texels, x, &y, count, rgb, nullptr);
+    copyTexels<Rays::hits>(RealMap<double>(map), layout, texels, x, &y, count, rgb, nullptr);
 }
 
 MULTIVERSIONED
 void copyRays(const HitMap& map, const BlockLayout& layout, const Texel<std::uint8_t>* texels,
               const double* x, const double* y, int count, std::uint8_t* rgb, std::uint8_t* seen) {
   if (map.isSingle)
-    copyTexels<Rays::any, float>(map, layout, texels, x, y, count, rgb, seen);
+    copyTexels<Rays::any>(RealMap<float>(map), layout, texels, x, y, count, rgb, seen);
   else
-    copyTexels<Rays::any, double>(map, layout, texels, x, y, count, rgb, seen);
+    copyTexels<Rays::any>(RealMap<double>(map), layout, texels, x, y, count, rgb, seen);
+}
+
+MULTIVERSIONED
+void copyTwinRays(const HitMap& map, const BlockLayout& layout, const Texel<std::uint8_t>* texels,
+                  const double* x, const double* y, int count, std::uint8_t* rgb,
+                  std::uint8_t* seen) {
+  withTwinMap<double>(
+      map, greenChannel, [&](const auto& m) __attribute__((always_inline)) {
+        copyTexels<Rays::any>(m, layout, texels, x, y, count, rgb, seen);
+      });
 }
 
 void findCells(const HitMap& map, const double* x, const double* y, int count, CellBatch& batch,

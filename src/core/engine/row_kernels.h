@@ -49,6 +49,11 @@ void copyHits(const HitMap& map, const BlockLayout& layout, const Texel<std::uin
 void copyRays(const HitMap& map, const BlockLayout& layout, const Texel<std::uint8_t>* texels,
               const double* x, const double* y, int count, std::uint8_t* rgb, std::uint8_t* seen);
 
+/// The same for a twin of which Twin::isSimple() is true, in double arithmetic.
+void copyTwinRays(const HitMap& map, const BlockLayout& layout, const Texel<std::uint8_t>* texels,
+                  const double* x, const double* y, int count, std::uint8_t* rgb,
+                  std::uint8_t* seen);
+
 /// Fills a batch with the cells of one colour of a twin, of which others have the same; cell 0
 /// where nothing is seen.
 void findCells(const HitMap& map, const double* x, const double* y, int count, CellBatch& batch,

@@ -105,6 +105,7 @@ Twin::Twin(TwinParams params, TwinMaps maps, const PanelParams& design)
   if (hasDead()) prepareDead();
   checkKernels();
   checkDirections();
+  prepareKernels();
   const auto& [scale, wavelengths] = m_params.colour;
   m_splitsColours = scale[0] != scale[1] || scale[1] != scale[2];
   m_movesRays = m_params.lensArray != LensArrayErrors{} || !m_hogels.empty() ||
@@ -284,6 +285,36 @@ void Twin::checkKernels() const {
                                                     std::to_string(v) +
                                                     ") has weights below 0, or none above");
       }
+}
+
+void Twin::prepareKernels() {
+  const auto& [field, pitch] = std::pair(m_array.field, m_array.pitch);
+  const auto [du, dv] = m_design.directions;
+  m_isAffine = m_array.wedge == std::array<double, 2>{} && m_maps.gap.isEmpty() &&
+               m_params.colour.scale == ColourErrors{}.scale;
+  if (m_isAffine && field[0] > 0)
+    for (const HogelErrors& own : m_hogels) {
+      const double scale = 1 + m_array.gap;
+      m_hogelMoves.push_back({static_cast<float>(-du * (double(own.shiftX) / pitch[0] +
+                                                        scale * double(own.tiltX) / field[0])),
+                              static_cast<float>(dv * (double(own.shiftY) / pitch[1] +
+                                                       scale * double(own.tiltY) / field[1]))});
+    }
+  const TwinPlane& plane = m_maps.moveU.isEmpty() ? m_maps.moveV : m_maps.moveU;
+  if (m_params.lensArray.outside != OutsideField::dark || plane.width < 2 || plane.height < 2)
+    return;
+  m_directions.width = plane.width;
+  m_directions.height = plane.height;
+  for (int row = 0; row < plane.height; ++row)
+    for (int column = 0; column < plane.width; ++column) {
+      const Vec2 node{(column + 0.5) / plane.width * du, (row + 0.5) / plane.height * dv};
+      const Vec2 move = moveAt(node.x, node.y).m;
+      const Vec2 found = solved(node);
+      for (const double value : {move.x, move.y})
+        m_directions.moves.push_back(static_cast<float>(value));
+      for (const double value : {found.x - node.x, found.y - node.y})
+        m_directions.back.push_back(static_cast<float>(value));
+    }
 }
 
 HogelErrors Twin::errorsOf(int i, int j) const {

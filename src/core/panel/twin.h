@@ -49,6 +49,15 @@ struct HogelErrors {
   float gap = 0;
 };
 
+/// A map of directions for kernels: at the middles of width × height cells over the field, pairs
+/// for u and v.
+struct DirectionTable {
+  int width = 0;  ///< two or more, as `height`
+  int height = 0;
+  std::vector<float> moves;  ///< m(u, v)
+  std::vector<float> back;   ///< what is added to (u₀, v₀) to solve u + m(u, v) = u₀
+};
+
 /// The lens array, as numbers of an affine map: of two numbers, the first is across, the second
 /// down (of hogels) or up (of metres).
 struct LensArrayMap {
@@ -124,6 +133,13 @@ class Twin {
   /// colour: the inverse of meet(). Its position is where it passes z = 0.
   [[nodiscard]] PanelRay rayOf(int i, int j, double u, double v, std::size_t channel) const;
 
+  /// Whether hits of one colour of scale 1 are affine in slopes and hogels, but for hogelMoves()
+  /// and moved().
+  [[nodiscard]] bool isAffine() const { return isSimple() && m_isAffine; }
+  /// Returns what is added to u and v in each hogel, row by row; empty if nothing is.
+  [[nodiscard]] const std::vector<std::array<float, 2>>& hogelMoves() const { return m_hogelMoves; }
+  /// Returns all of moved(), if that is a map of directions alone; its cells are 0 if it is not.
+  [[nodiscard]] const DirectionTable& directionTable() const { return m_directions; }
   /// Returns a hit on the array after the directions' map, and at the neighbour that is seen in
   /// place of what lies outside the field. A hit beside the array stays.
   [[nodiscard]] Hit moved(Hit hit) const;
@@ -168,6 +184,7 @@ class Twin {
   void prepareDead();
   void prepareArray();
   void prepareHogels();
+  void prepareKernels();
   [[nodiscard]] HogelErrors errorsOf(int i, int j) const;
   struct Move;
   [[nodiscard]] bool movesDirections() const {
@@ -185,7 +202,10 @@ class Twin {
   std::array<std::shared_ptr<const HogelLens>, 2> m_lenses;
   LensArrayMap m_array;
   std::vector<HogelErrors> m_hogels;
+  std::vector<std::array<float, 2>> m_hogelMoves;
   std::vector<std::array<float, 3>> m_gains;
+  DirectionTable m_directions;
+  bool m_isAffine = false;
   /// 1 where dead: hogels row by row, columns and rows of the hogel image; empty if none is.
   std::vector<std::uint8_t> m_deadHogels, m_deadColumns, m_deadRows;
   bool m_movesRays = false;
