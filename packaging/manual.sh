@@ -51,4 +51,11 @@ screenshots 2560x1440 data/room.json layoutViewAction
 screenshots 1440x900 data/room.json layoutDesignAction designDirections=560 sweepButton \
   compareDesigns tintBox
 mv resources/manual/window_1440x900.png resources/manual/window_measure.png
+"$program" --render --session data/room.json --states front --output "$output/built" \
+  --save-session "$output/built.json" --set 'display.directions=[45,45]' --set psf.light=linear \
+  --set twin.lensArray.rotation=0.05 --set twin.lensArray.gapError=0.02 --set twin.random.seed=3 \
+  --set twin.random.shift.sigma=3e-5 --set twin.random.shift.length=30 \
+  --set twin.random.gain.sigma=0.08 --set twin.random.gain.length=20
+screenshots 1440x900 "$output/built.json" scenePanelPictureAction
+mv resources/manual/window_1440x900.png resources/manual/window_twin.png
 QT_SCALE_FACTOR=2 screenshots 1280x800 data/room.json lightColours

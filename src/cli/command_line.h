@@ -15,6 +15,7 @@ enum class Command {
   render,
   report,
   makeCameras,
+  makeTwin,
   generate,
   pack,
   exportAs,

@@ -26,24 +26,24 @@ using enum Command;
 /// The jobs that use a session's camera states.
 const std::vector<Command> onStates{render, report, makeCameras, tradeoff, measure, sweep, depth};
 /// The jobs that write files.
-const std::vector<Command> writing{render,   report,    makeCameras, generate, pack, exportAs,
-                                   tradeoff, stability, measure,     sweep,    depth};
+const std::vector<Command> writing{render,   report,   makeCameras, makeTwin, generate, pack,
+                                   exportAs, tradeoff, stability,   measure,  sweep,    depth};
 
 FlagGroup inputs() {
   return {
       "What is read",
       {{.name = "session",
         .value = "FILE",
-        .jobs = {render, report, makeCameras, generate, pack, exportAs, tradeoff, measure, sweep,
-                 depth},
-        .neededBy = {render, report, makeCameras, generate, exportAs, tradeoff, measure, sweep,
-                     depth},
+        .jobs = {render, report, makeCameras, makeTwin, generate, pack, exportAs, tradeoff, measure,
+                 sweep, depth},
+        .neededBy = {render, report, makeCameras, makeTwin, generate, exportAs, tradeoff, measure,
+                     sweep, depth},
         .help = "The session document: display, light field and camera states. A folder of views, "
                 "a picture or a mesh makes one around it."},
        {.name = "set",
         .value = "S.F=VALUE",
-        .jobs = {render, report, makeCameras, generate, pack, exportAs, tradeoff, measure, sweep,
-                 depth, info},
+        .jobs = {render, report, makeCameras, makeTwin, generate, pack, exportAs, tradeoff, measure,
+                 sweep, depth, info},
         .mayRepeat = true,
         .help = "Overrides a parameter of the session, such as psf.sigma=0.9 or "
                 "camera.res=[300,300]; camera, intrinsics, pupil, stereo, distortion and psf go to "
@@ -63,14 +63,14 @@ FlagGroup inputs() {
         .help = "Adds lenses: a JSON list of cameras, or one OpenCV calibration."},
        {.name = "twin",
         .value = "FILE",
-        .jobs = {render, report, exportAs},
+        .jobs = {render, report, makeTwin, exportAs},
         .mayRepeat = true,
         .help = "The unit that is seen, in place of the session's own twin or of the display as "
                 "designed. With --report --against design, repeat it for more: each is a test."},
        {.name = "plugins-path",
         .value = "DIR",
-        .jobs = {window, render, report, makeCameras, generate, pack, exportAs, tradeoff, measure,
-                 sweep, depth, info, plugins},
+        .jobs = {window, render, report, makeCameras, makeTwin, generate, pack, exportAs, tradeoff,
+                 measure, sweep, depth, info, plugins},
         .mayRepeat = true,
         .help = "A folder of plugins, which is searched before the others; the window takes it "
                 "too. Repeat it for more."}}};
@@ -147,8 +147,8 @@ FlagGroup outputs() {
         .value = "PATH",
         .jobs = andInfo,
         .neededBy = writing,
-        .help = "The folder for the results; for --make-cameras, --generate, --pack and "
-                "--export the file (views: the folder). Folders are made if missing."},
+        .help = "The folder for the results; for --make-cameras, --make-twin, --generate, --pack "
+                "and --export the file (views: the folder). Folders are made if missing."},
        {.name = "save-session",
         .value = "FILE",
         .jobs = {render, report, tradeoff, measure, sweep, depth, exportAs},

@@ -15,6 +15,7 @@
 #include "io/documents/twin_file.h"
 #include "io/files/folders.h"
 #include "io/opening/opening.h"
+#include "io/scene/view_source.h"
 
 namespace hogelscope {
 
@@ -164,6 +165,13 @@ void warnOfPupils(const PanelParams& display, const Session& session, const Comm
                      std::to_string(aperture.wanted) + " samples; " +
                      std::to_string(Aperture::mostSamples) + " are taken");
   }
+}
+
+void warnOfTwin(const PanelParams& display, const Session& session, const CommandLine& line) {
+  if (line.has("quiet") || session.twin.maps == TwinMapFiles{}) return;
+  std::vector<std::string> warnings;
+  (void)twinOf(session.twin, display, &warnings);
+  for (const std::string& warning : warnings) printNote("warning: " + warning);
 }
 
 std::vector<std::filesystem::path> inputFiles(std::vector<std::filesystem::path> others,

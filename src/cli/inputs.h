@@ -51,6 +51,10 @@ void warnOfCuts(const LightFieldFile& lightField, const Session& session, const 
 /// may be. `display` has its hogels and directions.
 void warnOfPupils(const PanelParams& display, const Session& session, const CommandLine& line);
 
+/// Prints, unless the job is quiet, what is assumed of the maps of the session's twin. `display`
+/// has its hogels and directions. Throws InputError.
+void warnOfTwin(const PanelParams& display, const Session& session, const CommandLine& line);
+
 /// Returns a new session for the light field that the job's own option names, read as --set
 /// specifies. Throws InputError, also for a --set of parameters that it does not have: camera
 /// states and their sampling.

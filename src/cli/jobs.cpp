@@ -71,6 +71,15 @@ const std::vector<Job>& jobs() {
            "             --output seen.json\n",
        .sections = {"cameraSet", "cameraRegion", "trace"},
        .run = runMakeCameras},
+      {.command = Command::makeTwin,
+       .name = "make-twin",
+       .help = "Draws the random errors of the session's twin, or of --twin, and writes a twin "
+               "without random numbers: --output F.json, and F.hogels.exr with what was drawn.",
+       .examples = "  hogelscope --make-twin --session data/room.json --twin unit7.json --output "
+                   "drawn.json\n"
+                   "  hogelscope --make-twin --session s.json --set twin.random.seed=8 \\\n"
+                   "             --set twin.random.shift.sigma=5e-6 --output unit8.json\n",
+       .run = runMakeTwin},
       {.command = Command::generate,
        .name = "generate",
        .value = "PATTERN",

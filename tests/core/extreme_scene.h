@@ -182,7 +182,8 @@ inline hogelscope::IntrinsicsParams intrinsics(Random& random,
 /// Returns a scene without its light field.
 inline RandomScene sceneWithoutLight(Random& random, Eye kind) {
   RandomScene scene;
-  auto& [lightField, panel, sampled, state, method, isIdeal, bits, keepsUnrounded] = scene.job;
+  auto& [lightField, panel, sampled, state, method, isIdeal, bits, keepsUnrounded, twin] =
+      scene.job;
   panel = display(random);
   // Without rotation, an eye is exactly in the plane, or a ray exactly parallel to it.
   if (kind == Eye::inPlane || kind == Eye::parallel) panel.orientation = {};

@@ -27,7 +27,8 @@ Vec3 mirrored(const Vec3& a) {
 
 /// At the world's plane x = 0, with red and blue swapped: rows backwards.
 RandomScene mirrored(RandomScene scene, std::vector<std::uint8_t> values) {
-  auto& [lightField, display, sampling, state, method, isIdeal, bits, keepsUnrounded] = scene.job;
+  auto& [lightField, display, sampling, state, method, isIdeal, bits, keepsUnrounded, twin] =
+      scene.job;
   auto& camera = state.camera;
   for (Vec3* point : {&display.position, &camera.eye, &camera.lookat, &camera.up})
     *point = mirrored(*point);

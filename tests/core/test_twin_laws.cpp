@@ -9,7 +9,6 @@
 #include <complex>
 #include <functional>
 
-#include "core/panel/random_field.h"
 #include "tests/core/random_twin.h"
 
 using namespace hogelscope;
@@ -571,8 +570,9 @@ void TestTwinLaws::gainsMultiply() {
     const Hit hit{i + random.uniform(0, 1), j + random.uniform(0, 1), u + 0.5, v + 0.5};
     const Rgb light = litAlike(twin, hit, {0.3, 0.6, 0.9});
     const auto law = [&](std::size_t c, double content) {
-      return content * litAlike(drawn, hit).g * valueAt(maps.gain[c].values, 80, i, j) *
-             valueAt(maps.directionGain[c].values, 24, u, v);
+      return content * litAlike(drawn, hit).g *
+             double(maps.gain[c].values[std::size_t(80 * j + i)]) *
+             double(maps.directionGain[c].values[std::size_t(24 * v + u)]);
     };
     QVERIFY2(std::abs(light.r - law(0, 0.3)) < 1e-6, text(light.r, law(0, 0.3)));
     QVERIFY2(std::abs(light.g - law(1, 0.6)) < 1e-6, text(light.g, law(1, 0.6)));

@@ -11,6 +11,8 @@ OIIO::TypeDesc::BASETYPE typeOf(PictureType type) {
       return OIIO::TypeDesc::UINT8;
     case PictureType::UInt16:
       return OIIO::TypeDesc::UINT16;
+    case PictureType::UInt32:
+      return OIIO::TypeDesc::UINT32;
     case PictureType::Half:
       return OIIO::TypeDesc::HALF;
     case PictureType::Float:
@@ -24,8 +26,8 @@ OIIO::TypeDesc::BASETYPE typeOf(PictureType type) {
 }
 
 PictureType typeOf(const OIIO::TypeDesc& type) {
-  for (const PictureType each : {PictureType::UInt8, PictureType::UInt16, PictureType::Half,
-                                 PictureType::Float, PictureType::Double})
+  for (const PictureType each : {PictureType::UInt8, PictureType::UInt16, PictureType::UInt32,
+                                 PictureType::Half, PictureType::Float, PictureType::Double})
     if (type == typeOf(each)) return each;
   return PictureType::Other;
 }
@@ -40,14 +42,21 @@ void writeImageFile(const QString& file, int width, int height, const PictureVal
   spec.attribute("oiio:UnassociatedAlpha", 1);  // writes colours unchanged
   spec.attribute("png:compressionLevel", 1);
   spec.attribute("pnm:pfmflip", 0);  // OpenImageIO 2.5 would flip PPMs too
+  if (!kind.names.empty()) spec.channelnames = kind.names;
+  const std::vector<OIIO::ImageSpec> parts(std::size_t(kind.parts), spec);
   std::vector<float> values;
   for (int y = 0; y < height; ++y)
     for (int x = 0; x < width; ++x)
       for (int c = 0; c < kind.channels; ++c) values.push_back(value(x, y, c));
   const auto out = OIIO::ImageOutput::create(file.toStdString());
-  if (!out || !out->open(file.toStdString(), spec) ||
-      !out->write_image(OIIO::TypeDesc::FLOAT, values.data()) || !out->close())
-    qFatal("cannot write %s", qPrintable(file));
+  bool isWritten =
+      out && (kind.parts == 1 ? out->open(file.toStdString(), spec)
+                              : out->open(file.toStdString(), kind.parts, parts.data()));
+  for (int part = 0; part < kind.parts && isWritten; ++part) {
+    isWritten = part == 0 || out->open(file.toStdString(), spec, OIIO::ImageOutput::AppendSubimage);
+    isWritten = isWritten && out->write_image(OIIO::TypeDesc::FLOAT, values.data());
+  }
+  if (!isWritten || !out->close()) qFatal("cannot write %s", qPrintable(file));
 }
 
 PictureSpec specOf(const QString& file) {

@@ -3,14 +3,19 @@
 // they are included once, in any_images.cpp.
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "tests/io/images.h"
 
-enum class PictureType { UInt8, UInt16, Half, Float, Double, Other };
+enum class PictureType { UInt8, UInt16, UInt32, Half, Float, Double, Other };
 
 struct PictureKind {
   PictureType type = PictureType::UInt8;
   int channels = 3;
-  int tile = 0;  ///< side of a tile; 0: rows
+  int tile = 0;                      ///< side of a tile; 0: rows
+  std::vector<std::string> names{};  ///< of the channels, if they are not R, G, B
+  int parts = 1;                     ///< pictures in the file, all the same
 };
 
 /// Writes an image file, and creates its folder.

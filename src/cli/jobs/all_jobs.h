@@ -17,6 +17,7 @@ int runRender(const CommandLine& line);
 int runReport(const CommandLine& line);
 /// Writes the session and a set of camera states to --output, which may be the session itself.
 int runMakeCameras(const CommandLine& line);
+int runMakeTwin(const CommandLine& line);
 /// Writes a test light field of any size, with two of its hogel rows in memory.
 int runGenerate(const CommandLine& line);
 /// Writes a light field as a store. Continues where an earlier run stopped.

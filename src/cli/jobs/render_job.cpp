@@ -325,6 +325,7 @@ int runRender(const CommandLine& line) {
   keepSession(line, session);
   warnOfCuts(*file, session, line);
   warnOfPupils(display, session, line);
+  warnOfTwin(display, session, line);
   if (line.has("video")) {
     makeFolderOf(line.text("video"));
     output.video.emplace(line.text("video"), sizeOf(pictures.all.front(), output),

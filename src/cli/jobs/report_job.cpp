@@ -232,6 +232,9 @@ int runReport(const CommandLine& line) {
   if (!request.shard) warnOfCuts(*request.file, request.session, line);
   if (!request.shard)
     warnOfPupils(resolved(displayOf(session), request.file->size()), session, line);
+  if (!request.shard)
+    for (const ReportTest& test : request.tests)
+      warnOfTwin(resolved(displayOf(test.session), test.file->size()), test.session, line);
   if (!request.shard && !isQuiet)
     for (const std::string& warning : warningsOf(request)) printNote(warning);
   announceStreaming(*request.file, request.memory / 2, isQuiet);

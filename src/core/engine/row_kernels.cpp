@@ -336,7 +336,7 @@ struct TableStrip {
 
 /// The places' parts have loops of their own, because a loop of one kind of step is vectorised.
 template <class Real>
-inline __attribute__((always_inline)) void readTable(const float* table, const DirectionTable& of,
+inline __attribute__((always_inline)) void readTable(const float* table, const MoveTable& of,
                                                      Real perU, Real perV, const Strip<Real>& u,
                                                      const Strip<Real>& v, TableStrip<Real>& at) {
   const std::int32_t width = of.width;
@@ -393,7 +393,7 @@ template <class Map, class Real>
 inline __attribute__((always_inline)) void findMoved(const Map& m, const double* x, const double* y,
                                                      std::array<Strip<Real>, 4>& index,
                                                      Strip<std::uint32_t>& seen) {
-  const DirectionTable& table = m.twin.directionTable();
+  const MoveTable& table = m.twin.directionTable();
   const Real perU = static_cast<Real>(table.width) / m.count[2];
   const Real perV = static_cast<Real>(table.height) / m.count[3];
   Strip<Real> designU, designV;

@@ -153,7 +153,8 @@ void Twin::prepareArray() {
   const std::array pitch{width / nx, height / ny};
   const double cosine = std::cos(radians(errors.rotation));
   const double sine = std::sin(radians(errors.rotation));
-  const auto [ex, ey] = errors.pitchError;
+  const double ex = errors.pitchError[0];
+  const double ey = errors.pitchError[1];
   // The array's place of a place of the design, and the inverse.
   const auto moved = [&](double x, double y) {
     return std::array{cosine * (1 + ex) * x - sine * (1 + ey) * y,
@@ -186,7 +187,7 @@ void Twin::prepareArray() {
 void Twin::prepareHogels() {
   const auto [nx, ny] = m_design.hogels;
   const auto& [seed, shift, gain] = m_params.random;
-  const auto draws = [&, nx = nx, ny = ny](Draw what, const RandomErrors& errors) {
+  const auto draws = [&, seed = seed, nx = nx, ny = ny](Draw what, const RandomErrors& errors) {
     return errors.sigma > 0 ? randomField(std::uint32_t(seed), what, errors.length, {0, 0, nx, ny})
                             : std::vector<float>{};
   };

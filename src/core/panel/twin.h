@@ -51,7 +51,7 @@ struct HogelErrors {
 
 /// A map of directions for kernels: at the middles of width × height cells over the field, pairs
 /// for u and v.
-struct DirectionTable {
+struct MoveTable {
   int width = 0;  ///< two or more, as `height`
   int height = 0;
   std::vector<float> moves;  ///< m(u, v)
@@ -139,7 +139,7 @@ class Twin {
   /// Returns what is added to u and v in each hogel, row by row; empty if nothing is.
   [[nodiscard]] const std::vector<std::array<float, 2>>& hogelMoves() const { return m_hogelMoves; }
   /// Returns all of moved(), if that is a map of directions alone; its cells are 0 if it is not.
-  [[nodiscard]] const DirectionTable& directionTable() const { return m_directions; }
+  [[nodiscard]] const MoveTable& directionTable() const { return m_directions; }
   /// Returns a hit on the array after the directions' map, and at the neighbour that is seen in
   /// place of what lies outside the field. A hit beside the array stays.
   [[nodiscard]] Hit moved(Hit hit) const;
@@ -204,7 +204,7 @@ class Twin {
   std::vector<HogelErrors> m_hogels;
   std::vector<std::array<float, 2>> m_hogelMoves;
   std::vector<std::array<float, 3>> m_gains;
-  DirectionTable m_directions;
+  MoveTable m_directions;
   bool m_isAffine = false;
   /// 1 where dead: hogels row by row, columns and rows of the hogel image; empty if none is.
   std::vector<std::uint8_t> m_deadHogels, m_deadColumns, m_deadRows;

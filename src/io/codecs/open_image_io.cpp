@@ -184,6 +184,8 @@ class Input : public ImageInput {
     m_facts = {{std::size_t(m_spec.width), std::size_t(m_spec.height), m_spec.nchannels, type, bits,
                 std::size_t(std::max(frames, 1))},
                found};
+    for (int c = 0; c < m_spec.nchannels; ++c)
+      m_facts.channelNames.emplace_back(m_spec.channel_name(c));
     m_facts.bandRows = bandRowsOf(m_facts.width, std::size_t(std::max(m_spec.tile_height, 1)));
   }
 
@@ -191,7 +193,40 @@ class Input : public ImageInput {
     std::visit([&](auto* values) { readRows(int(frame), first, rows, values); }, to);
   }
 
+  void readChannel(std::size_t channel, std::size_t first, std::size_t rows, float* to) override {
+    const int c = int(channel);
+    if (!m_spec.channelformat(c).is_floating_point())
+      throw InputError(m_file.string(), "channel \"" + m_facts.channelNames[channel] + "\"",
+                       "has whole numbers, not floats");
+    if (const int parts = m_spec.get_int_attribute("oiio:subimages", 1); parts > 1)
+      throw InputError(m_file.string(), "",
+                       "has " + std::to_string(parts) + " pictures; its channels must be in one");
+    readStored(0, first, rows, {c, c + 1}, OIIO::TypeDesc::FLOAT, to);
+  }
+
  private:
+  struct Channels {
+    int begin = 0;
+    int end = 0;
+  };
+
+  /// Reads channels as `type`, pixel by pixel.
+  void readStored(int frame, std::size_t first, std::size_t rows, const Channels& channels,
+                  const OIIO::TypeDesc& type, void* to) {
+    const auto [from, past] = channels;
+    const int begin = m_spec.y + int(first);
+    const int end = begin + int(rows);
+    const auto stride = OIIO::stride_t(std::size_t(past - from) * type.size());
+    const bool isRead =
+        m_spec.tile_width > 0
+            ? m_image->read_tiles(frame, 0, m_spec.x, m_spec.x + m_spec.width, begin, end, m_spec.z,
+                                  m_spec.z + 1, from, past, type, to, stride)
+            : m_image->read_scanlines(frame, 0, begin, end, m_spec.z, from, past, type, to, stride);
+    // Some readers fill the rest of a truncated file and only set a message.
+    if (!isRead || m_image->has_error())
+      throw InputError(m_file.string(), "is damaged", asOneLine(m_image->geterror(), m_file));
+  }
+
   template <class T>
   void readRows(int frame, std::size_t first, std::size_t rows, T* to) {
     // Readers multiply the colours by alpha. OpenImageIO 2.4's TIFF reader does so for scanlines
@@ -202,19 +237,7 @@ class Input : public ImageInput {
     const auto stored = std::size_t(used);
     const std::size_t pixels = m_facts.width * rows;
     std::vector<T> read(stored * pixels);
-    const OIIO::TypeDesc type = OIIO::BaseTypeFromC<T>::value;
-    const int begin = m_spec.y + int(first);
-    const int end = begin + int(rows);
-    const auto stride = OIIO::stride_t(stored * sizeof(T));
-    const bool isRead =
-        m_spec.tile_width > 0
-            ? m_image->read_tiles(frame, 0, m_spec.x, m_spec.x + m_spec.width, begin, end, m_spec.z,
-                                  m_spec.z + 1, 0, used, type, read.data(), stride)
-            : m_image->read_scanlines(frame, 0, begin, end, m_spec.z, 0, used, type, read.data(),
-                                      stride);
-    // Some readers fill the rest of a truncated file and only set a message.
-    if (!isRead || m_image->has_error())
-      throw InputError(m_file.string(), "is damaged", asOneLine(m_image->geterror(), m_file));
+    readStored(frame, first, rows, {0, used}, OIIO::BaseTypeFromC<T>::value, read.data());
     for (std::size_t p = 0; p < pixels; ++p)
       for (std::size_t c = 0; c < 3; ++c) to[3 * p + c] = read[stored * p + (stored < 3 ? 0 : c)];
   }

@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <stdexcept>
 #include <string>
 #include <variant>
 #include <vector>
@@ -42,6 +43,8 @@ constexpr std::size_t bandRowsOf(std::size_t width, std::size_t tileRows = 1) {
 
 struct ImageFacts : ImageNumbers {
   std::string format;  ///< such as "png"
+  /// The names of all channels, as the file has them; empty where only colours can be read.
+  std::vector<std::string> channelNames{};
 };
 
 /// An image or a video that is being read.
@@ -53,6 +56,13 @@ class ImageInput {
   /// alpha.
   using Rows = std::variant<std::uint8_t*, std::uint16_t*, float*>;
   virtual void read(std::size_t frame, std::size_t first, std::size_t rows, const Rows& to) = 0;
+  /// Reads rows of the channel channelNames[channel] of the first frame as width·rows floats.
+  /// Throws InputError that names the channel if it has whole numbers, whose scale is unknown, or
+  /// if the file has other pictures too.
+  virtual void readChannel(std::size_t /*channel*/, std::size_t /*first*/, std::size_t /*rows*/,
+                           float* /*to*/) {
+    throw std::logic_error("ImageInput: channels without names");
+  }
 
  protected:
   ImageFacts m_facts;

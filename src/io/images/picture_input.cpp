@@ -6,7 +6,9 @@
 #include <algorithm>
 #include <cstring>
 #include <shared_mutex>
+#include <sstream>
 #include <stdexcept>
+#include <string>
 #include <string_view>
 
 #include "core/base/error.h"
@@ -73,21 +75,40 @@ class OwnInput : public ImageInput {
     const std::shared_lock lock(Isolated::librariesInUse());
     m_input->read(frame, first, rows, to);
   }
+  void readChannel(std::size_t channel, std::size_t first, std::size_t rows, float* to) override {
+    const std::shared_lock lock(Isolated::librariesInUse());
+    m_input->readChannel(channel, first, rows, to);
+  }
 
  private:
   std::unique_ptr<ImageInput> m_input;
 };
 
-/// A request to the copy: for rows, or, without any, for ImageNumbers and the format's name.
+/// A request to the copy: for rows, or, without any, for ImageNumbers and the names of the format
+/// and of the channels, each ended by a zero.
 struct PictureRequest {
   std::size_t frame = 0;
   std::size_t first = 0;
   std::size_t rows = 0;
   StoredType type = StoredType::uint8;
+  bool isOneChannel = false;  ///< as floats, in place of the colours
+  std::size_t channel = 0;
 };
+
+std::string namesOf(const ImageFacts& facts) {
+  std::string names = facts.format + '\0';
+  for (const std::string& name : facts.channelNames) names += name + '\0';
+  return names;
+}
 
 std::string rowsOf(ImageInput& input, const PictureRequest& request) {
   std::string bytes;
+  if (request.isOneChannel) {
+    bytes.resize(input.facts().width * request.rows * sizeof(float));
+    input.readChannel(request.channel, request.first, request.rows,
+                      reinterpret_cast<float*>(bytes.data()));
+    return bytes;
+  }
   withStoredType(request.type, [&](auto value) {
     using T = decltype(value);
     bytes.resize(3 * input.facts().width * request.rows * sizeof(T));
@@ -101,7 +122,10 @@ class IsolatedInput : public ImageInput {
   IsolatedInput(const fs::path& file, std::function<std::unique_ptr<ImageInput>()> open)
       : m_process(file, [open = std::move(open)] { return serve(open()); }) {
     const std::string answer = m_process.ask(messageOf(PictureRequest{}));
-    m_facts = {valueOf<ImageNumbers>(answer), answer.substr(sizeof(ImageNumbers))};
+    m_facts = {valueOf<ImageNumbers>(answer), {}};
+    std::istringstream names(answer.substr(sizeof(ImageNumbers)));
+    std::getline(names, m_facts.format, '\0');
+    for (std::string name; std::getline(names, name, '\0');) m_facts.channelNames.push_back(name);
   }
 
   void read(std::size_t frame, std::size_t first, std::size_t rows, const Rows& to) override {
@@ -111,21 +135,29 @@ class IsolatedInput : public ImageInput {
           constexpr StoredType type = std::is_same_v<T, std::uint8_t>    ? StoredType::uint8
                                       : std::is_same_v<T, std::uint16_t> ? StoredType::uint16
                                                                          : StoredType::real;
-          const std::string bytes =
-              m_process.ask(messageOf(PictureRequest{frame, first, rows, type}));
-          if (bytes.size() != 3 * m_facts.width * rows * sizeof(T))
-            throw std::logic_error("openPicture: an answer of another size");
-          std::memcpy(values, bytes.data(), bytes.size());
+          receive({frame, first, rows, type}, values, 3 * m_facts.width * rows);
         },
         to);
   }
 
+  void readChannel(std::size_t channel, std::size_t first, std::size_t rows, float* to) override {
+    receive({0, first, rows, StoredType::real, true, channel}, to, m_facts.width * rows);
+  }
+
  private:
+  template <class T>
+  void receive(const PictureRequest& request, T* to, std::size_t count) {
+    const std::string bytes = m_process.ask(messageOf(request));
+    if (bytes.size() != count * sizeof(T))
+      throw std::logic_error("openPicture: an answer of another size");
+    std::memcpy(to, bytes.data(), count * sizeof(T));
+  }
+
   static Isolated::Service serve(const std::shared_ptr<ImageInput>& input) {
     return [input](const std::string& bytes) {
       const auto request = valueOf<PictureRequest>(bytes);
       if (request.rows > 0) return rowsOf(*input, request);
-      return messageOf<ImageNumbers>(input->facts()) + input->facts().format;
+      return messageOf<ImageNumbers>(input->facts()) + namesOf(input->facts());
     };
   }
 

@@ -9,6 +9,7 @@
 #include "io/plugins/plugin_library.h"
 #include "io/scene/live_file.h"
 #include "io/store/light_field_store.h"
+#include "io/twin/twin_maps.h"
 
 namespace hogelscope {
 
@@ -86,9 +87,11 @@ bool readTheSame(const Session& a, const Session& b) {
          ours.directions == others.directions && (haveSameRays || !a.lightField.isLive());
 }
 
-std::shared_ptr<const Twin> twinOf(const TwinParams& params, const PanelParams& display) {
+std::shared_ptr<const Twin> twinOf(const TwinParams& params, const PanelParams& display,
+                                   std::vector<std::string>* warnings) {
   if (params.isZero()) return nullptr;
-  return std::make_shared<const Twin>(params, TwinMaps{}, display);
+  return std::make_shared<const Twin>(params, readTwinMaps(params.maps, display, {}, warnings),
+                                      display);
 }
 
 ViewSource unloadedViewSource(const Session& session, const LightFieldFile& file) {
