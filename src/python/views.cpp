@@ -116,11 +116,14 @@ RenderedViews SessionViews::render(const RenderRequest& request, const Progress&
   RenderedViews result;
   for (const auto& input : file.files()) result.inputs.push_back(input.string());
   const Progress reading = part(progress, 0.1, 0.5);
-  StateImages images =
-      mustStream(file, allowedMemory())
-          ? StateImages(session, file, session.cameras, {}, reading)
-          : StateImages({content->source(reading), display, session.sampling, request.isIdeal},
-                        session.cameras);
+  const auto inMemory = [&] {
+    ViewSource source{content->source(reading), display, session.sampling, request.isIdeal};
+    source.twin = twinOf(session.twin, display);
+    return source;
+  };
+  StateImages images = mustStream(file, allowedMemory())
+                           ? StateImages(session, file, session.cameras, {}, reading)
+                           : StateImages(inMemory(), session.cameras);
   const auto count = double(session.cameras.size());
   for (std::size_t k = 0; k < session.cameras.size(); ++k)
     result.views.push_back(renderOne(

@@ -247,7 +247,8 @@ void TestOptionTable::bashCompletes_data() {
   row("one that may repeat", {"--report", "--test", "a.png", "--tes"}, {"--test"});
   row("choices", {"--render", "--format", ""}, {"png", "exr", "tif"});
   row("after =", {"--render", "--format", "=", "e"}, {"exr"});
-  row("the only choice", {"--report", "--against", ""}, {"ideal"});
+  row("both choices", {"--report", "--against", ""}, {"ideal", "design"});
+  row("the only choice", {"--report", "--against", "d"}, {"design"});
   row("layouts", {"--export", "h"}, {"hogels"});
   row("topics", {"--help", "comp"}, {"completion"});
   row("a number", {"--render", "--threads", ""}, {});

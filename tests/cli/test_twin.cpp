@@ -45,6 +45,8 @@ class TestTwin : public QObject {
   void resumes();
   void contentForTheUnit();
   void contentEvensGains();
+  void drawnTwinsAreTheSame();
+  void measuredDirections();
   void yieldOfTolerances();
   void mistakes_data();
   void mistakes();
@@ -177,6 +179,47 @@ void TestTwin::contentEvensGains() {
   QVERIFY2(spread("even.json") <= 2, qPrintable(QString::number(spread("even.json"))));
 }
 
+/// A twin whose errors were drawn and written shows the same picture without random numbers.
+void TestTwin::drawnTwinsAreTheSame() {
+  writeFile("random.json", R"({"lensArray": {"rotation": 0.05}, "random": {"seed": 4,
+    "shift": {"sigma": 1e-4, "length": 3}, "gain": {"sigma": 0.1}}})");
+  const Outcome outcome = program({"--make-twin", "--session", "s.json", "--twin", "random.json",
+                                   "--output", "units/drawn.json"});
+  QCOMPARE(outcome.err, QByteArray());
+  QCOMPARE(outcome.out, QByteArray("units/drawn.json, units/drawn.hogels.exr: 60×60 hogels\n"));
+  QVERIFY(!contentOf("units/drawn.json").contains("random"));
+  for (const char* twin : {"random.json", "units/drawn.json"})
+    QCOMPARE(program({"--render", "--session", "s.json", "--twin", twin, "--output",
+                      QString(twin).section('.', 0, 0).section('/', -1)})
+                 .status,
+             0);
+  QVERIFY(!contentOf("random/a.png").isEmpty());
+  QCOMPARE(contentOf("drawn/a.png"), contentOf("random/a.png"));
+  QCOMPARE(contentOf("drawn/b.png"), contentOf("random/b.png"));
+}
+
+/// A goniometer's table of the designed slopes is the design; one line says what was fitted.
+void TestTwin::measuredDirections() {
+  QByteArray table = "u,v,x,y\n";
+  const double slope = 2 * std::tan(std::acos(-1.0) / 6) / 16;  // of a direction of 60 degrees
+  for (int v = 0; v < 16; ++v)
+    for (int u = v % 2; u < 16; u += 2)
+      table += QString("%1,%2,%3,%4\n")
+                   .arg(u)
+                   .arg(v)
+                   .arg(slope * (u - 7.5), 0, 'g', 17)
+                   .arg(slope * (7.5 - v), 0, 'g', 17)
+                   .toUtf8();
+  writeFile("table.csv", table);
+  writeFile("measured.json", R"({"maps": {"directions": "table.csv"}})");
+  const Outcome outcome = program({"--report", "--session", "s.json", "--against", "design",
+                                   "--twin", "measured.json", "--output", "out"});
+  QVERIFY2(outcome.err.startsWith("hogelscope: warning: table.csv: has 128 of 256 directions;") &&
+               outcome.err.count('\n') == 1,
+           outcome.err);
+  QVERIFY(valueOf("out/metrics.csv", 1, "move_rms") < 1e-5);
+}
+
 void TestTwin::yieldOfTolerances() {
   writeFile("t.json", R"({"parameters": {"twin.random.seed": {"from": 1, "to": 4},
     "twin.random.shift.sigma": [1e-6, 1e-3]}, "sampling": "grid",
@@ -221,6 +264,11 @@ void TestTwin::mistakes_data() {
       "for it");
   row(exported + QStringList{"--for-twin"},
       "command line: --for-twin: needs a unit: --twin FILE, or a session with a twin");
+  const QStringList drawn{"--make-twin", "--session", "s.json", "--output", "u.json"};
+  row(drawn, "s.json: twin.random: draws nothing: give shift or gain a sigma");
+  row(drawn.mid(0, 4) + QStringList{"u.txt", "--set", "twin.random.shift.sigma=1e-5"},
+      "u.txt: cannot be written: a twin's name ends in .json");
+  row(render + QStringList{"--set", "twin.maps.hogels=none.exr"}, "none.exr: …");
   row(render + QStringList{"--set", "twin.dead.rows=[1440]"},
       "s.json: twin.dead.rows: has 1440, but the hogel image has rows 0 … 959");
 }

@@ -4,6 +4,7 @@
 #include <QDoubleSpinBox>
 #include <QUndoStack>
 
+#include "gui/scene/display_scene.h"
 #include "gui/scene/scene_controller.h"
 #include "gui/view/image_widget.h"
 #include "io/documents/session_file.h"

@@ -112,7 +112,7 @@ class TestViewWorker : public QObject {
 
  private:
   [[nodiscard]] ViewRequest request(const CameraState& state) const {
-    return {state, displayOf(m_session), m_session.sampling, {}, {}};
+    return {state, displayOf(m_session), m_session.sampling, nullptr, {}, {}};
   }
 
   Session m_session;

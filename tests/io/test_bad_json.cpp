@@ -114,7 +114,7 @@ void TestBadJson::structure_data() {
   refusedIn("unknown section", R"({"hogelscope": 1, "dispaly": {}})",
             "dispaly: is not known here; did you mean \"display\"?");
   refusedIn("unknown section, nothing near", R"({"hogelscope": 1, "metadata": {}})",
-            "metadata: is not known here; known are hogelscope, display, lightField, sampling, "
+            "metadata: is not known here; known are hogelscope, display, twin, lightField, sampling, "
             "depth, metrics, cameras");
   refusedIn("camera for cameras", R"({"hogelscope": 1, "camera": []})",
             "camera: is not known here; did you mean \"cameras\"?");

@@ -50,6 +50,16 @@ class Render(FolderTest):
         self.assert_as_program(s, file, "--ideal", ideal=True)
         self.assertRefuses("only a 3-D scene", hs.Session(TABLE1).render, 0, ideal=True)
 
+    def test_twin(self):
+        document = small_session(display={"hogels": [32, 32], "directions": [20, 20]},
+                                 lightField={"file": os.path.abspath("tests/data/scene.png")})
+        designed = self.write("designed.json", document)
+        document["twin"] = {"lensArray": {"rotation": 0.5}, "colour": {"scale": [-0.02, 0, 0.02]}}
+        file = self.write("built.json", document)
+        self.assert_as_program(hs.Session(file), file)
+        self.assertTrue(np.any(hs.Session(file).render(0).image
+                               != hs.Session(designed).render(0).image))
+
     def test_plugins(self):
         """Content and metrics of plugins, found beside the package."""
         s = hs.Session("data/room.json")
