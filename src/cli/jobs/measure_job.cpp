@@ -49,6 +49,8 @@ int runMeasure(const CommandLine& line) {
   for (const std::string& file : request.display.lensParams.files()) inputs.emplace_back(file);
   checkOutputs({folder / "measure.csv", folder / "measure.html"}, inputs);
   keepSession(line, request.session);
+  if (!isQuiet && !request.session.twin.isZero())
+    printNote(request.name + ": warning: the display is measured as designed, without its twin");
   ProgressBar bar("measuring", isQuiet);
   const Measured measured = measure(request, bar.progress());
   bar.done();
