@@ -8,6 +8,7 @@
 
 #include "core/base/error.h"
 #include "core/engine/fast_simulation.h"
+#include "core/engine/plan.h"
 #include "tests/core/random_twin.h"
 #include "tests/core/rendered.h"
 
@@ -129,6 +130,7 @@ class TestTwin : public QObject {
 
  private Q_SLOTS:
   void isTheReference();
+  void plainViewsAreTheReference();
   void raysAreInverse();
   void withoutErrorsNothingChanges();
   void foldingMapsAreRefused();
@@ -151,6 +153,44 @@ void TestTwin::isTheReference() {
   }
   QVERIFY2(counts.seen > 10000 && counts.unclear < counts.seen / 50 && pupils > 10,
            qPrintable(QString("%1 %2 %3").arg(counts.seen).arg(counts.unclear).arg(pupils)));
+}
+
+/// Views whose pixels are texels, which kernels of their own copy: twins with an affine map, hogels
+/// and directions with errors, side lobes.
+void TestTwin::plainViewsAreTheReference() {
+  Counts counts;
+  for (std::uint64_t seed = 1; seed <= 80; ++seed) {
+    Random random(seed);
+    RandomScene scene = sceneOf(random);
+    RenderJob& job = scene.job;
+    scene.content.codes.clear();
+    fillWithNoise<std::uint8_t>(random, scene, 0, 256, 1);
+    job.display.lens = HogelLensModel::rectilinear;
+    job.sampling.reconstruction = Reconstruction::nearest;
+    job.sampling.samplesPerPixel = 1;
+    job.state.psf = {};
+    job.state.camera.res = {random.integer(100, 300), random.integer(10, 20)};
+    if (random.flip()) job.state.distortion = {};
+    TwinParams params;
+    params.lensArray = randomTwinParams(random, job.display).lensArray;
+    params.lensArray.outside =
+        random.integer(0, 3) == 0 ? OutsideField::neighbour : OutsideField::dark;
+    if (random.flip()) params.lensArray.wedge = {};
+    if (random.flip())
+      params.random.shift.sigma = 0.1 * job.display.size[0] / job.display.hogels[0];
+    TwinMaps maps = randomTwinMaps(random, job.display);
+    for (TwinPlane* plane :
+         {&maps.sigma, &maps.height, &maps.kernels[0], &maps.kernels[1], &maps.kernels[2]})
+      *plane = {};
+    if (random.flip()) maps.gap = {};
+    if (random.flip()) maps.moveU = maps.moveV = {};
+    job.twin = std::make_shared<const Twin>(params, maps, job.display);
+    QVERIFY(plan(job).copiesTexels);
+    const QString difference = firstDifference(job, rendered(job), counts);
+    QVERIFY2(difference.isEmpty(), qPrintable(QString("seed %1: ").arg(seed) + difference));
+  }
+  QVERIFY2(counts.seen > 10000 && counts.unclear < counts.seen / 50,
+           qPrintable(QString("%1 %2").arg(counts.seen).arg(counts.unclear)));
 }
 
 /// A ray that leaves a pixel's middle as one colour meets that pixel's middle.
