@@ -7,6 +7,7 @@
 
 #include "core/engine/aperture_sum.h"
 #include "core/engine/ray_light.h"
+#include "core/panel/twin.h"
 
 namespace hogelscope {
 
@@ -77,7 +78,22 @@ void FastSimulation::copyTwinRow(int y, int x0, int x1, std::uint8_t* rgb,
     plainY.assign(std::size_t(x1 - x0), m_rays.plainY(y));
     ys = plainY.data();
   }
-  copyTwinRays(m_rays.map(0), m_texels->layout(), byteTexels(), xs, ys, x1 - x0, rgb, seen);
+  const HitMap& map = m_rays.map(0);
+  const auto copy = [&](int first, int last) {
+    const std::ptrdiff_t from = first - x0;
+    copyTwinRays(map, m_texels->layout(), byteTexels(), xs + from, ys + from, last - first,
+                 rgb + 3 * from, seen + from);
+  };
+  const Twin& twin = *map.panel.twin;
+  if (m_rays.plan().hasLens || !twin.isAffine() || twin.movesHits()) return copy(x0, x1);
+  const auto [first, sure, unsure, last] = m_rays.twinParts(y, x0, x1);
+  if (first < sure) copy(first, sure);
+  if (sure < unsure) {
+    std::memset(seen + (sure - x0), 255, std::size_t(unsure - sure));
+    copyTwinHits(map, m_texels->layout(), byteTexels(), xs + (sure - x0), m_rays.plainY(y),
+                 unsure - sure, rgb + std::ptrdiff_t(3) * (sure - x0));
+  }
+  if (unsure < last) copy(unsure, last);
 }
 
 const Texel<std::uint8_t>* FastSimulation::byteTexels() const {

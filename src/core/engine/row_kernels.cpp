@@ -158,29 +158,11 @@ struct RayMap : TwinMap<Real> {
 template <class Real, bool hasMoves, bool directions>
 struct AffineMap : RealMap<Real> {
   explicit AffineMap(const HitMap& map) : RealMap<Real>(map), twin(*map.panel.twin) {
-    const auto& [cell, cellX, cellY, middle, middleI, middleJ, design, pitch, wedge, field, gap,
-                 focal, convergence] = twin.lensArray();
-    const auto& [ex, ey, ez] = map.panel.eye;
-    const double g = 1 + gap;
-    const double blur = g / (1 + focal) - 1;
-    const auto real = [](double value) { return static_cast<Real>(value); };
+    const AffineHits hits = twin.affineHits(map.panel.eye);
     for (std::size_t axis = 0; axis < 2; ++axis) {
-      at[axis] = {real(cell[axis] + cellX[axis] * ex + cellY[axis] * ey), real(-cellX[axis] * ez),
-                  real(-cellY[axis] * ez)};
-      const double sign = axis == 0 ? 1 : -1;  // v is downwards
-      const double eye = axis == 0 ? ex : ey;
-      const double cells = sign * map.panel.count[axis + 2];
-      const double step = axis == 0 ? pitch[0] : -pitch[1];
-      const double own = axis == 0 ? middleI[0] : middleJ[1];  // along the axis, for a hogel
-      const double other = axis == 0 ? middleJ[0] : middleI[1];
-      found[axis] = {
-          real(map.panel.count[axis + 2] * 0.5 +
-               cells *
-                   (g * convergence * eye / field[axis] +
-                    (blur * (eye - middle[axis]) - (middle[axis] - design[axis])) / pitch[axis])),
-          real(cells * (g * (1 - convergence * ez) / field[axis] - blur * ez / pitch[axis])),
-          real(-cells * (blur * own + own - step) / pitch[axis]),
-          real(-cells * (blur * other + other) / pitch[axis])};
+      for (std::size_t k = 0; k < 3; ++k) at[axis][k] = static_cast<Real>(hits.place[axis][k]);
+      for (std::size_t k = 0; k < 4; ++k)
+        found[axis][k] = static_cast<Real>(hits.direction[axis][k]);
     }
     if constexpr (hasMoves) moves = twin.hogelMoves().data();
   }
@@ -207,34 +189,6 @@ inline __attribute__((always_inline)) RealHit<Real> hitAt(const RayMap<Real, has
   const Hit moved = m.twin.moved({double(h.i), double(h.j), double(h.u), double(h.v)});
   return {static_cast<Real>(moved.i), static_cast<Real>(moved.j), static_cast<Real>(moved.u),
           static_cast<Real>(moved.v), h.isToward};
-}
-
-/// Without the moves of hogels and the map of directions; `hogel` is the one that is met.
-template <class Real, bool hasMoves, bool directions>
-inline __attribute__((always_inline)) RealHit<Real> hitAt(
-    const AffineMap<Real, hasMoves, directions>& m, Real x, Real y, std::int32_t& hogel) {
-  const Real dx = m.right[0] * x + m.down[0] * y + m.forward[0];
-  const Real dy = m.right[1] * x + m.down[1] * y + m.forward[1];
-  const Real dz = m.right[2] * x + m.down[2] * y + m.forward[2];
-  const Real inverse = 1 / dz;
-  const Real a = dx * inverse;
-  const Real b = dy * inverse;
-  RealHit<Real> h;
-  h.i = m.at[0][0] + m.at[0][1] * a + m.at[0][2] * b;
-  h.j = m.at[1][0] + m.at[1][1] * a + m.at[1][2] * b;
-  h.isToward = dz < 0;
-  const auto inside = [](Real index, Real count) {
-    const Real least = index > 0 ? index : 0;
-    return static_cast<std::int32_t>(least < count - 1 ? least : count - 1);
-  };
-  const std::int32_t column = inside(h.i, m.count[0]);
-  const std::int32_t row = inside(h.j, m.count[1]);
-  const auto i = static_cast<Real>(column);
-  const auto j = static_cast<Real>(row);
-  h.u = m.found[0][0] + m.found[0][1] * a + m.found[0][2] * i + m.found[0][3] * j;
-  h.v = m.found[1][0] + m.found[1][1] * b + m.found[1][2] * j + m.found[1][3] * i;
-  hogel = row * static_cast<std::int32_t>(m.count[0]) + column;
-  return h;
 }
 
 /// Calls `use` with the map that a twin needs.
@@ -297,9 +251,38 @@ struct CellStrip {
 
 enum class Rays { any, hits };
 
+/// Without the moves of hogels and the map of directions; `hogel` is the one that is met.
+template <Rays rays, class Real, bool hasMoves, bool directions>
+inline __attribute__((always_inline)) RealHit<Real> hitAt(
+    const AffineMap<Real, hasMoves, directions>& m, Real x, Real y, std::int32_t& hogel) {
+  const Real dx = m.right[0] * x + m.down[0] * y + m.forward[0];
+  const Real dy = m.right[1] * x + m.down[1] * y + m.forward[1];
+  const Real dz = m.right[2] * x + m.down[2] * y + m.forward[2];
+  const Real inverse = 1 / dz;
+  const Real a = dx * inverse;
+  const Real b = dy * inverse;
+  RealHit<Real> h;
+  h.i = m.at[0][0] + m.at[0][1] * a + m.at[0][2] * b;
+  h.j = m.at[1][0] + m.at[1][1] * a + m.at[1][2] * b;
+  h.isToward = dz < 0;
+  const auto inside = [](Real index, Real count) {
+    if constexpr (rays == Rays::hits) return static_cast<std::int32_t>(index);
+    const Real least = index > 0 ? index : 0;
+    return static_cast<std::int32_t>(least < count - 1 ? least : count - 1);
+  };
+  const std::int32_t column = inside(h.i, m.count[0]);
+  const std::int32_t row = inside(h.j, m.count[1]);
+  const auto i = static_cast<Real>(column);
+  const auto j = static_cast<Real>(row);
+  h.u = m.found[0][0] + m.found[0][1] * a + m.found[0][2] * i + m.found[0][3] * j;
+  h.v = m.found[1][0] + m.found[1][1] * b + m.found[1][2] * j + m.found[1][3] * i;
+  hogel = row * static_cast<std::int32_t>(m.count[0]) + column;
+  return h;
+}
+
 /// Finds the indices of a strip, in range or not, before the map of directions. `toward` is not 0
 /// where the ray points to the panel.
-template <class Real, bool hasMoves, bool directions>
+template <Rays rays, class Real, bool hasMoves, bool directions>
 inline __attribute__((always_inline)) void findHits(const AffineMap<Real, hasMoves, directions>& m,
                                                     const double* x, const double* y,
                                                     std::array<Strip<Real>, 4>& index,
@@ -307,7 +290,8 @@ inline __attribute__((always_inline)) void findHits(const AffineMap<Real, hasMov
   Strip<std::int32_t> hogel;
   for (std::size_t k = 0; k < stripSize; ++k) {
     std::int32_t own = 0;
-    const RealHit<Real> h = hitAt(m, static_cast<Real>(x[k]), static_cast<Real>(y[k]), own);
+    const RealHit<Real> h = hitAt<rays>(m, static_cast<Real>(x[k]),
+                                        static_cast<Real>(y[rays == Rays::hits ? 0 : k]), own);
     index[0][k] = h.i;
     index[1][k] = h.j;
     index[2][k] = h.u;
@@ -397,7 +381,7 @@ inline __attribute__((always_inline)) void findMoved(const Map& m, const double*
   const Real perU = static_cast<Real>(table.width) / m.count[2];
   const Real perV = static_cast<Real>(table.height) / m.count[3];
   Strip<Real> designU, designV;
-  findHits(m, x, y, index, seen);
+  findHits<Rays::any>(m, x, y, index, seen);
   for (std::size_t k = 0; k < stripSize; ++k) {
     const bool isOnPanel =
         static_cast<bool>((seen[k] != 0) & (index[0][k] >= 0) & (index[0][k] < m.count[0]) &
@@ -446,7 +430,7 @@ inline __attribute__((always_inline)) void findMoved(const Map& m, const double*
 }
 
 /// Finds the indices of a strip of an affine twin, 0 where nothing is seen.
-template <class Map, class Real>
+template <Rays rays, class Map, class Real>
 inline __attribute__((always_inline)) void findAffine(const Map& m, const double* x,
                                                       const double* y,
                                                       std::array<Strip<Real>, 4>& index,
@@ -454,7 +438,8 @@ inline __attribute__((always_inline)) void findAffine(const Map& m, const double
   if constexpr (Map::hasDirections) {
     findMoved(m, x, y, index, seen);
   } else {
-    findHits(m, x, y, index, seen);
+    findHits<rays>(m, x, y, index, seen);
+    if constexpr (rays == Rays::hits) return;
     for (std::size_t k = 0; k < stripSize; ++k) {
       const RealHit<Real> h{index[0][k], index[1][k], index[2][k], index[3][k], seen[k] != 0};
       const bool isHit = isSeen(m, h);
@@ -473,7 +458,7 @@ inline __attribute__((always_inline)) void findStrip(const Map& m, const double*
   using Real = typename Map::Number;
   std::array<Strip<Real>, 4> index;
   if constexpr (Map::isAffineTwin) {
-    findAffine(m, x, y, index, strip.seen);
+    findAffine<rays>(m, x, y, index, strip.seen);
   } else
     for (std::size_t k = 0; k < stripSize; ++k) {
       const RealHit<Real> h =
@@ -647,7 +632,7 @@ inline __attribute__((always_inline)) void affineCells(const Map& m, const doubl
     std::copy_n(y + first, rays, stripY.begin());
     std::array<Strip<Real>, 4> index;
     Strip<std::uint32_t> seen;
-    findAffine(m, stripX.data(), stripY.data(), index, seen);
+    findAffine<Rays::any>(m, stripX.data(), stripY.data(), index, seen);
     for (std::size_t axis = 0; axis < 4; ++axis)
       std::copy_n(index[axis].begin(), rays, found.index[axis].begin() + first);
     for (std::size_t k = 0; k < rays; ++k)
@@ -715,6 +700,17 @@ void copyTwinRays(const HitMap& map, const BlockLayout& layout, const Texel<std:
       map, greenChannel, [&](const auto& m) __attribute__((always_inline)) {
         copyTexels<Rays::any>(m, layout, texels, x, y, count, rgb, seen);
       });
+}
+
+MULTIVERSIONED
+void copyTwinHits(const HitMap& map, const BlockLayout& layout, const Texel<std::uint8_t>* texels,
+                  const double* x, double y, int count, std::uint8_t* rgb) {
+  if (map.panel.twin->hogels().empty())
+    copyTexels<Rays::hits>(AffineMap<double, false, false>(map), layout, texels, x, &y, count, rgb,
+                           nullptr);
+  else
+    copyTexels<Rays::hits>(AffineMap<double, true, false>(map), layout, texels, x, &y, count, rgb,
+                           nullptr);
 }
 
 void findCells(const HitMap& map, const double* x, const double* y, int count, CellBatch& batch,

@@ -54,6 +54,11 @@ void copyTwinRays(const HitMap& map, const BlockLayout& layout, const Texel<std:
                   const double* x, const double* y, int count, std::uint8_t* rgb,
                   std::uint8_t* seen);
 
+/// The same for rays that are known to hit an affine twin without a map of directions, as
+/// copyHits().
+void copyTwinHits(const HitMap& map, const BlockLayout& layout, const Texel<std::uint8_t>* texels,
+                  const double* x, double y, int count, std::uint8_t* rgb);
+
 /// Fills a batch with the cells of one colour of a twin, of which others have the same; cell 0
 /// where nothing is seen.
 void findCells(const HitMap& map, const double* x, const double* y, int count, CellBatch& batch,

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <mutex>
 
+#include "core/panel/twin.h"
+
 namespace hogelscope {
 
 namespace {
@@ -138,6 +140,63 @@ std::array<int, 2> ViewRays::seenPart(int y, int x0, int x1) const {
   while (first < last && isUnseen(first)) ++first;
   while (first < last && isUnseen(last - 1)) --last;
   return {first, last};
+}
+
+/// As in seenPart() each condition is linear in x. u and v also depend on the whole hogel, which is
+/// within half a hogel of i − 1/2, and on its own move: their sums are a margin.
+std::array<int, 4> ViewRays::twinParts(int y, int x0, int x1) const {
+  const HitMap& map = m_maps.front();
+  const Twin& twin = *map.panel.twin;
+  const AffineHits hits = twin.affineHits(map.panel.eye);
+  const double py = plainY(y);
+  const auto rowAt = [&](std::size_t c) { return map.down[c] * py + map.forward[c]; };
+  std::array<double, 2> some{m_x[std::size_t(x0)], m_x[std::size_t(x1 - 1)]};
+  std::array<double, 2> all = some;
+  const auto bound = [&](const std::array<double, 3>& index, double count, double margin) {
+    const auto keep = [&](double sign, double border, std::array<double, 2>& part) {
+      const double constant = sign * (index[0] - border);
+      // Times z, which is below 0.
+      clip(-(constant * rowAt(2) + sign * (index[1] * rowAt(0) + index[2] * rowAt(1))),
+           -(constant * map.right[2] + sign * (index[1] * map.right[0] + index[2] * map.right[1])),
+           part);
+    };
+    keep(1, -margin, some);
+    keep(-1, count + margin, some);
+    keep(1, margin, all);
+    keep(-1, count - margin, all);
+  };
+  clip(-rowAt(2), -map.right[2], some);
+  clip(-rowAt(2), -map.right[2], all);
+  constexpr double rounding = 1e-6;
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    bound(hits.place[axis], map.panel.count[axis], rounding);
+    const auto& [constant, slope, along, across] = hits.direction[axis];
+    const auto& own = hits.place[axis];
+    const auto& other = hits.place[1 - axis];
+    std::array<double, 3> index{constant + along * (own[0] - 0.5) + across * (other[0] - 0.5),
+                                along * own[1] + across * other[1],
+                                along * own[2] + across * other[2]};
+    index[1 + axis] += slope;
+    bound(index, map.panel.count[axis + 2],
+          (std::abs(along) + std::abs(across)) / 2 + twin.largestMoves()[axis] + rounding);
+  }
+  const auto column = [&](double x) { return x * m_lensKey.focalLength.x + m_lensKey.centre.x; };
+  const auto within = [&](double at) { return int(std::clamp(at, double(x0), double(x1))); };
+  std::array<int, 4> parts{x0, x0, x0, x0};
+  if (some[0] <= some[1]) {
+    parts[0] = within(std::ceil(column(some[0])) - 1);
+    parts[3] = within(std::floor(column(some[1])) + 2);
+    parts[1] = parts[2] = parts[3];
+  }
+  if (some[0] <= some[1] && all[0] <= all[1]) {
+    const int first = within(std::ceil(column(all[0])) + 1);
+    const int last = within(std::floor(column(all[1])));
+    if (parts[0] <= first && first < last && last <= parts[3]) {
+      parts[1] = first;
+      parts[2] = last;
+    }
+  }
+  return parts;
 }
 
 std::int64_t ViewRays::count() const {

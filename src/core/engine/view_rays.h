@@ -90,6 +90,10 @@ class ViewRays {
   /// Returns the columns [first, last) of [x0, x1) whose rays hit, if the outline is known.
   [[nodiscard]] std::array<int, 2> seenPart(int y, int x0, int x1) const;
 
+  /// Returns four columns of [x0, x1), ascending, for a plain lens and a twin with an affine map:
+  /// no ray before the first and from the last on hits, all between the middle two do.
+  [[nodiscard]] std::array<int, 4> twinParts(int y, int x0, int x1) const;
+
   /// Finds the cells that one ray of each of the pixels [x0, x0 + count) of row y meets; at most a
   /// batch. Thread-safe, as lines() is.
   void cells(int y, int x0, int count, const RaySample& sample, CellBatch& batch) const;

@@ -301,6 +301,9 @@ void Twin::prepareKernels() {
                               static_cast<float>(dv * (double(own.shiftY) / pitch[1] +
                                                        scale * double(own.tiltY) / field[1]))});
     }
+  for (const auto& move : m_hogelMoves)
+    for (std::size_t axis = 0; axis < 2; ++axis)
+      m_largestMoves[axis] = std::max(m_largestMoves[axis], std::abs(double(move[axis])));
   const TwinPlane& plane = m_maps.moveU.isEmpty() ? m_maps.moveV : m_maps.moveU;
   if (m_params.lensArray.outside != OutsideField::dark || plane.width < 2 || plane.height < 2)
     return;
@@ -316,6 +319,32 @@ void Twin::prepareKernels() {
       for (const double value : {found.x - node.x, found.y - node.y})
         m_directions.back.push_back(static_cast<float>(value));
     }
+}
+
+AffineHits Twin::affineHits(const Vec3& eye) const {
+  const auto& [cell, cellX, cellY, middle, middleI, middleJ, design, pitch, wedge, field, gap,
+               focal, convergence] = m_array;
+  const double g = 1 + gap;
+  const double blur = g / (1 + focal) - 1;
+  AffineHits hits;
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    hits.place[axis] = {cell[axis] + cellX[axis] * eye.x + cellY[axis] * eye.y,
+                        -cellX[axis] * eye.z, -cellY[axis] * eye.z};
+    const double own = axis == 0 ? eye.x : eye.y;
+    const double count = m_design.directions[axis];
+    const double cells = axis == 0 ? count : -count;  // v is downwards
+    const double step = axis == 0 ? pitch[0] : -pitch[1];
+    const double along = axis == 0 ? middleI[0] : middleJ[1];
+    const double across = axis == 0 ? middleJ[0] : middleI[1];
+    hits.direction[axis] = {
+        count / 2 +
+            cells * (g * convergence * own / field[axis] +
+                     (blur * (own - middle[axis]) - (middle[axis] - design[axis])) / pitch[axis]),
+        cells * (g * (1 - convergence * eye.z) / field[axis] - blur * eye.z / pitch[axis]),
+        -cells * (blur * along + along - step) / pitch[axis],
+        -cells * (blur * across + across) / pitch[axis]};
+  }
+  return hits;
 }
 
 HogelErrors Twin::errorsOf(int i, int j) const {

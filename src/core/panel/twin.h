@@ -58,6 +58,16 @@ struct MoveTable {
   std::vector<float> back;   ///< what is added to (u₀, v₀) to solve u + m(u, v) = u₀
 };
 
+/// What rays of slopes a, b from one eye meet of an affine twin (Twin::isAffine), before its
+/// hogels' moves and its map of directions.
+struct AffineHits {
+  /// i and j: a constant, and what they grow by for each unit of a, and of b.
+  std::array<std::array<double, 3>, 2> place{};
+  /// u and v: a constant, and what they grow by for each unit of their own slope, and for each
+  /// hogel along their axis and across it.
+  std::array<std::array<double, 4>, 2> direction{};
+};
+
 /// The lens array, as numbers of an affine map: of two numbers, the first is across, the second
 /// down (of hogels) or up (of metres).
 struct LensArrayMap {
@@ -136,6 +146,9 @@ class Twin {
   /// Whether hits of one colour of scale 1 are affine in slopes and hogels, but for hogelMoves()
   /// and moved().
   [[nodiscard]] bool isAffine() const { return isSimple() && m_isAffine; }
+  [[nodiscard]] AffineHits affineHits(const Vec3& eye) const;
+  /// Returns the largest of what is added to u and v in any hogel.
+  [[nodiscard]] const std::array<double, 2>& largestMoves() const { return m_largestMoves; }
   /// Returns what is added to u and v in each hogel, row by row; empty if nothing is.
   [[nodiscard]] const std::vector<std::array<float, 2>>& hogelMoves() const { return m_hogelMoves; }
   /// Returns all of moved(), if that is a map of directions alone; its cells are 0 if it is not.
@@ -203,6 +216,7 @@ class Twin {
   LensArrayMap m_array;
   std::vector<HogelErrors> m_hogels;
   std::vector<std::array<float, 2>> m_hogelMoves;
+  std::array<double, 2> m_largestMoves{};
   std::vector<std::array<float, 3>> m_gains;
   MoveTable m_directions;
   bool m_isAffine = false;
