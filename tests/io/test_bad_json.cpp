@@ -113,9 +113,10 @@ void TestBadJson::structure_data() {
             "lightField.file: is missing: name the image or folder to show");
   refusedIn("unknown section", R"({"hogelscope": 1, "dispaly": {}})",
             "dispaly: is not known here; did you mean \"display\"?");
-  refusedIn("unknown section, nothing near", R"({"hogelscope": 1, "metadata": {}})",
-            "metadata: is not known here; known are hogelscope, display, twin, lightField, sampling, "
-            "depth, metrics, cameras");
+  refusedIn(
+      "unknown section, nothing near", R"({"hogelscope": 1, "metadata": {}})",
+      "metadata: is not known here; known are hogelscope, display, twin, lightField, sampling, "
+      "depth, metrics, cameras");
   refusedIn("camera for cameras", R"({"hogelscope": 1, "camera": []})",
             "camera: is not known here; did you mean \"cameras\"?");
   refusedIn("unknown display field", text({.display = R"({"hogel": [4, 3]})"}),

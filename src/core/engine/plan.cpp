@@ -71,7 +71,7 @@ Plan plan(const RenderJob& job, const Display& display) {
   plan.isBehind = isBehind(plan.aperture, job.state, display);
   plan.movesRays = display.twin() != nullptr;
   plan.isSimpleTwin =
-      plan.movesRays && display.twin()->isSimple() && !job.method.isSingle && isPinhole;
+      plan.movesRays && display.twin()->hasKernel() && !job.method.isSingle && isPinhole;
   plan.splitsColours = plan.movesRays && display.twin()->splitsColours();
   plan.changesLight = job.twin && job.twin->changesLight();
   plan.drivesTexels = job.twin && (job.twin->drivesTexels() || job.twin->hasDead());

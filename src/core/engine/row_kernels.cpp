@@ -147,8 +147,8 @@ inline __attribute__((always_inline)) RealHit<Real> meet(const TwinMap<Real>& m,
   return h;
 }
 
-/// The same, and whether its hogels differ, and whether Twin::moved() changes hits.
-template <class Real, bool hasHogels, bool moves>
+/// The same, and whether its hogels differ.
+template <class Real, bool hasHogels>
 struct RayMap : TwinMap<Real> {
   using TwinMap<Real>::TwinMap;
 };
@@ -181,35 +181,25 @@ inline __attribute__((always_inline)) RealHit<Real> hitAt(const RealMap<Real>& m
   return hitOf(m, x, y);
 }
 
-template <class Real, bool hasHogels, bool moves>
-inline __attribute__((always_inline)) RealHit<Real> hitAt(const RayMap<Real, hasHogels, moves>& m,
-                                                          Real x, Real y) {
-  const RealHit<Real> h = meet<hasHogels>(m, x, y);
-  if constexpr (!moves) return h;
-  const Hit moved = m.twin.moved({double(h.i), double(h.j), double(h.u), double(h.v)});
-  return {static_cast<Real>(moved.i), static_cast<Real>(moved.j), static_cast<Real>(moved.u),
-          static_cast<Real>(moved.v), h.isToward};
+template <class Real, bool hasHogels>
+inline __attribute__((always_inline)) RealHit<Real> hitAt(const RayMap<Real, hasHogels>& m, Real x,
+                                                          Real y) {
+  return meet<hasHogels>(m, x, y);
 }
 
-/// Calls `use` with the map that a twin needs.
-template <class Real, class Use>
+/// Calls `use` with the map that a twin needs (Twin::hasKernel), in double arithmetic.
+template <class Use>
 inline __attribute__((always_inline)) void withTwinMap(const HitMap& map, std::size_t channel,
                                                        Use use) {
   const Twin& twin = *map.panel.twin;
   const bool hasHogels = !twin.hogels().empty();
-  const bool hasDirections = twin.directionTable().width > 0;
-  if (twin.isAffine() && (hasDirections || !twin.movesHits())) {
-    if (hasDirections)
-      hasHogels ? use(AffineMap<Real, true, true>(map)) : use(AffineMap<Real, false, true>(map));
-    else
-      hasHogels ? use(AffineMap<Real, true, false>(map)) : use(AffineMap<Real, false, false>(map));
-  } else if (twin.movesHits()) {
-    hasHogels ? use(RayMap<Real, true, true>(map, channel))
-              : use(RayMap<Real, false, true>(map, channel));
-  } else {
-    hasHogels ? use(RayMap<Real, true, false>(map, channel))
-              : use(RayMap<Real, false, false>(map, channel));
-  }
+  if (!twin.isAffine())
+    hasHogels ? use(RayMap<double, true>(map, channel)) : use(RayMap<double, false>(map, channel));
+  else if (twin.movesHits())
+    hasHogels ? use(AffineMap<double, true, true>(map)) : use(AffineMap<double, false, true>(map));
+  else
+    hasHogels ? use(AffineMap<double, true, false>(map))
+              : use(AffineMap<double, false, false>(map));
 }
 
 /// Whether all indices are in range. It is bitwise on purpose, without branches. Returns false for
@@ -640,34 +630,25 @@ inline __attribute__((always_inline)) void affineCells(const Map& m, const doubl
   }
 }
 
-template <class Real>
-inline __attribute__((always_inline)) void twinCellsIn(const HitMap& map, const double* x,
-                                                       const double* y, int count,
-                                                       std::size_t channel, CellBatch& batch) {
-  IndexBatch<Real> found;
-  withTwinMap<Real>(
+MULTIVERSIONED
+void kernelCells(const HitMap& map, const double* x, const double* y, int count,
+                 std::size_t channel, CellBatch& batch) {
+  IndexBatch<double> found;
+  withTwinMap(
       map, channel, [&](const auto& m) __attribute__((always_inline)) {
         if constexpr (std::decay_t<decltype(m)>::isAffineTwin)
           return affineCells(m, x, y, count, found);
-        for (std::size_t k = 0; k < std::size_t(count); ++k)
-          keep(m, hitAt(m, static_cast<Real>(x[k]), static_cast<Real>(y[k])), k, found);
+        else
+          for (std::size_t k = 0; k < std::size_t(count); ++k)
+            keep(m, hitAt(m, x[k], y[k]), k, found);
       });
   split(found, count, batch);
 }
 
-MULTIVERSIONED
-void simpleCells(const HitMap& map, const double* x, const double* y, int count,
-                 std::size_t channel, CellBatch& batch) {
-  if (map.isSingle)
-    twinCellsIn<float>(map, x, y, count, channel, batch);
-  else
-    twinCellsIn<double>(map, x, y, count, channel, batch);
-}
-
 void twinCells(const HitMap& map, const double* x, const double* y, int count, std::size_t channel,
                CellBatch& batch) {
-  if (map.panel.twin->isSimple())
-    simpleCells(map, x, y, count, channel, batch);
+  if (map.panel.twin->hasKernel())
+    kernelCells(map, x, y, count, channel, batch);
   else
     metCells(map, x, y, count, channel, batch);
 }
@@ -696,7 +677,7 @@ MULTIVERSIONED
 void copyTwinRays(const HitMap& map, const BlockLayout& layout, const Texel<std::uint8_t>* texels,
                   const double* x, const double* y, int count, std::uint8_t* rgb,
                   std::uint8_t* seen) {
-  withTwinMap<double>(
+  withTwinMap(
       map, greenChannel, [&](const auto& m) __attribute__((always_inline)) {
         copyTexels<Rays::any>(m, layout, texels, x, y, count, rgb, seen);
       });

@@ -49,7 +49,7 @@ void copyHits(const HitMap& map, const BlockLayout& layout, const Texel<std::uin
 void copyRays(const HitMap& map, const BlockLayout& layout, const Texel<std::uint8_t>* texels,
               const double* x, const double* y, int count, std::uint8_t* rgb, std::uint8_t* seen);
 
-/// The same for a twin of which Twin::isSimple() is true, in double arithmetic.
+/// The same for a twin of which Twin::hasKernel() is true, in double arithmetic.
 void copyTwinRays(const HitMap& map, const BlockLayout& layout, const Texel<std::uint8_t>* texels,
                   const double* x, const double* y, int count, std::uint8_t* rgb,
                   std::uint8_t* seen);

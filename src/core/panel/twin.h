@@ -153,6 +153,11 @@ class Twin {
   [[nodiscard]] const std::vector<std::array<float, 2>>& hogelMoves() const { return m_hogelMoves; }
   /// Returns all of moved(), if that is a map of directions alone; its cells are 0 if it is not.
   [[nodiscard]] const MoveTable& directionTable() const { return m_directions; }
+  /// Whether kernels know the twin: all of meet() but for the hogels' tables is affine, or there is
+  /// no moved().
+  [[nodiscard]] bool hasKernel() const {
+    return isSimple() && (!movesHits() || (isAffine() && m_directions.width > 0));
+  }
   /// Returns a hit on the array after the directions' map, and at the neighbour that is seen in
   /// place of what lies outside the field. A hit beside the array stays.
   [[nodiscard]] Hit moved(Hit hit) const;

@@ -144,7 +144,7 @@ std::string embedTwin(Json& session, const fs::path& folder) {
   if (!session.is_object()) return {};
   const auto given = session.find("twin");
   if (given == session.end() || !given->is_string()) return {};
-  const std::string name = given->get<std::string>();
+  std::string name = given->get<std::string>();
   const fs::path file = folder / name;
   *given = inFile(file.string(), [&] { return parsedTwin(file); });
   if (const auto maps = given->is_object() ? given->find("maps") : given->end();
