@@ -33,9 +33,9 @@ TwinContent::TwinContent(std::shared_ptr<LightFieldFile> content, bool isLive,
                          const PanelParams& display, std::shared_ptr<const Twin> twin)
     : m_content(std::move(content)),
       m_isLive(isLive),
-      m_params(display),
       m_design(display),
-      m_twin(std::move(twin)) {}
+      m_twin(std::move(twin)),
+      m_leastGain(m_twin->leastGain()) {}
 
 LightField TwinContent::read(const Progress& progress) {
   LightField lightField = blankLightField(size(), type(), files().empty() ? "" : files().front());
@@ -79,7 +79,7 @@ void TwinContent::divideByGain(int j, std::vector<Rgb>& light) const {
     const std::array<float, 3> gain = m_twin->gainOf(i, j);
     const auto divided = [&](double code, std::size_t c) {
       if (!(gain[c] > 0)) return code;
-      const double share = m_twin->leastGain() / double(gain[c]);
+      const double share = m_leastGain / double(gain[c]);
       return encodedFromLinear(share * linearFromEncoded(code));
     };
     for (int u = 0; u < du; ++u) {

@@ -36,9 +36,9 @@ class TwinContent : public LightFieldFile {
 
   std::shared_ptr<LightFieldFile> m_content;
   bool m_isLive;
-  PanelParams m_params;
   Display m_design;
   std::shared_ptr<const Twin> m_twin;
+  double m_leastGain;
 };
 
 }  // namespace hogelscope
