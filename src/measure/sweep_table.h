@@ -35,7 +35,7 @@ struct SweepGoal {
   int goal = 1;
 };
 
-/// What a figure of a good unit is within; infinite where there is no limit.
+/// Bounds a figure of a good unit; infinite where there is no limit.
 struct SweepLimit {
   std::string figure;
   double least = -std::numeric_limits<double>::infinity();

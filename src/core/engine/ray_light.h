@@ -20,7 +20,7 @@ class RayLight {
         cells{};  ///< of red, green, blue; the first alone if all have the same
     TexelFilter::Scratch taps;
     LightBatch channel{};
-    /// Which rays see the display.
+    /// Returns 255 for rays that see the display, 0 for others.
     [[nodiscard]] const std::array<std::uint8_t, batchSize>& seen() const { return cells[0].seen; }
   };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How far a twin moves what an eye sees: the pixels that rays meet, from geometry alone.
+// Computes how far a twin moves what an eye sees, from geometry alone: the pixels that rays meet.
 #pragma once
 
 #include "core/base/parallel.h"

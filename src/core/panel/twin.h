@@ -40,7 +40,7 @@ struct TwinMaps {
   std::array<TwinPlane, 3> kernels;  ///< of leakage, kernelTiles × kernelTiles squares
 };
 
-/// How a hogel's lens differs from the array's. The shifts are metres, the tilts slopes.
+/// Tells how a hogel's lens differs from the array's. The shifts are metres, the tilts slopes.
 struct HogelErrors {
   float shiftX = 0;
   float shiftY = 0;
@@ -58,7 +58,7 @@ struct MoveTable {
   std::vector<float> back;   ///< what is added to (u₀, v₀) to solve u + m(u, v) = u₀
 };
 
-/// What rays of slopes a, b from one eye meet of an affine twin (Twin::isAffine), before its
+/// Gives what rays of slopes a, b from one eye meet of an affine twin (Twin::isAffine), before its
 /// hogels' moves and its map of directions.
 struct AffineHits {
   /// i and j: a constant, and what they grow by for each unit of a, and of b.
