@@ -15,6 +15,7 @@
 #include "python/function_metrics.h"
 #include "python/stoppable.h"
 #include "report/report_facts.h"
+#include "report/report_moves.h"
 #include "report/report_run.h"
 
 namespace hogelscope {
@@ -24,6 +25,8 @@ namespace py = pybind11;
 namespace {
 
 using Tests = std::vector<std::pair<std::string, LightChoice>>;
+/// Twins by name, each as the session with it.
+using Units = std::vector<std::pair<std::string, Document>>;
 using Groups = std::vector<std::pair<std::string, std::vector<std::pair<std::string, double>>>>;
 
 /// A report's request from Python.
@@ -33,7 +36,8 @@ struct ReportArguments {
   const Tests& tests;
   const Groups& groups;
   std::string output;
-  bool isAgainstIdeal = false;
+  std::string against;  ///< "", "ideal" or "design"
+  const Units& units;
   bool images = false;
   std::shared_ptr<FunctionMetrics> functions{};
 };
@@ -87,6 +91,18 @@ RateGroup groupOf(const std::string& name, const Groups::value_type::second_type
   return group;
 }
 
+std::vector<std::pair<std::string, Session>> unitsOf(const ReportArguments& wishes,
+                                                     const Session& session) {
+  std::vector<std::pair<std::string, Session>> units;
+  for (const auto& [name, document] : wishes.units) {
+    Session built = sessionOf(document);
+    Session& unit = units.emplace_back(name, session).second;
+    unit.twin = std::move(built.twin);
+    unit.twinFile = std::move(built.twinFile);
+  }
+  return units;
+}
+
 ReportRequest requestOf(const ReportArguments& wishes, const Progress& progress) {
   ReportRequest request;
   const Session session = sessionOf(wishes.document);
@@ -94,11 +110,14 @@ ReportRequest requestOf(const ReportArguments& wishes, const Progress& progress)
   ReportTest reference = testWith(session, "", wishes.reference, progress);
   request.session = withEyes(std::move(reference.session));
   request.file = std::move(reference.file);
-  request.isAgainstIdeal = wishes.isAgainstIdeal;
+  request.isAgainstIdeal = wishes.against == "ideal";
   if (request.isAgainstIdeal) {
     requireLive(request.session);
     request.tests.push_back({"display", request.session, request.file});
   }
+  if (wishes.against == "design" && !compareWithDesign(request, unitsOf(wishes, request.session)))
+    throw InputError("against", "design",
+                     "needs a unit to compare: twins=[FILE], or a session with a twin");
   for (const auto& [name, light] : wishes.tests)
     request.tests.push_back(testWith(request.session, name, light, progress));
   if (request.tests.empty()) throw InputError("tests", "is empty: there is nothing to compare");
@@ -108,8 +127,9 @@ ReportRequest requestOf(const ReportArguments& wishes, const Progress& progress)
   request.command = "hogelscope.report() of Python";
   request.images = wishes.images;
   wishes.functions->findColumns(request, part(progress, 0.5, 1));
-  request.metrics =
-      metricsOf(request.session.metrics, FunctionMetrics::metricsOf(wishes.functions));
+  std::vector<Metric> more = FunctionMetrics::metricsOf(wishes.functions);
+  if (request.isAgainstDesign) more.push_back(moveMetric());  // the last one
+  request.metrics = metricsOf(request.session.metrics, std::move(more));
   return request;
 }
 
@@ -189,8 +209,8 @@ std::pair<py::dict, py::dict> meansOf(const std::vector<TestSummary>& summaries,
 
 py::tuple report(const Document& document, const LightChoice& lightField, const Tests& tests,
                  const Groups& groups, const FunctionMetrics::Functions& functions,
-                 const std::string& output, bool ideal, bool images, int threads,
-                 const py::object& progress) {
+                 const std::string& output, const std::string& against, const Units& units,
+                 bool images, int threads, const py::object& progress) {
   const ThreadsOfCall limit(threads);
   const auto called = std::make_shared<FunctionMetrics>(functions);
   struct Made {
@@ -200,8 +220,9 @@ py::tuple report(const Document& document, const LightChoice& lightField, const 
   };
   const auto [made, metrics, warnings] = stoppable(progress, [&](const Progress& hear) {
     const auto locks = lockAll(lightField, tests, hear);
-    const ReportRequest request = requestOf(
-        {document, lightField, tests, groups, output, ideal, images, called}, part(hear, 0, 0.05));
+    const ReportRequest request =
+        requestOf({document, lightField, tests, groups, output, against, units, images, called},
+                  part(hear, 0, 0.05));
     ReportListener listener;
     listener.progress = part(hear, 0.05, 1);
     Made result{makeReport(request, listener), request.metrics, warningsOf(request)};
@@ -219,8 +240,8 @@ py::tuple report(const Document& document, const LightChoice& lightField, const 
 
 void addReports(py::module_& module) {
   module.def("report", &report, py::arg("document"), py::arg("light_field"), py::arg("tests"),
-             py::arg("groups"), py::arg("metrics"), py::arg("output"), py::arg("ideal"),
-             py::arg("images"), py::arg("threads"), py::arg("progress"),
+             py::arg("groups"), py::arg("metrics"), py::arg("output"), py::arg("against"),
+             py::arg("units"), py::arg("images"), py::arg("threads"), py::arg("progress"),
              "Writes a report: its rows, means, intervals, BD-rates and warnings.");
 }
 

@@ -2,6 +2,7 @@
 #include "report/report_moves.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <limits>
 
 #include "core/base/text.h"
@@ -12,6 +13,19 @@ namespace {
 constexpr const char* meanRms = "mean_move_rms";
 constexpr const char* meanRest = "mean_move_rest";
 }  // namespace
+
+bool compareWithDesign(ReportRequest& request,
+                       const std::vector<std::pair<std::string, Session>>& units) {
+  const Session own = request.session;
+  request.isAgainstDesign = true;
+  request.session.twin = {};
+  request.session.twinFile.clear();
+  for (const auto& [name, built] : units) request.tests.push_back({name, built, request.file});
+  if (!units.empty()) return true;
+  const std::string file = std::filesystem::path(own.twinFile).filename().string();
+  request.tests.push_back({file.empty() ? "twin" : file, own, request.file});
+  return !own.twin.isZero();
+}
 
 Metric moveMetric() {
   Metric metric;

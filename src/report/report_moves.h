@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Figures of twins beside the metrics of their pictures: how far rays move (core/engine/ray_moves).
+// Twins as tests of a report, with figures beside the metrics of their pictures: how far rays move
+// (core/engine/ray_moves).
 #pragma once
 
 #include <string>
@@ -8,8 +9,14 @@
 #include "core/engine/ray_moves.h"
 #include "core/metrics/metric.h"
 #include "core/metrics/summary.h"
+#include "report/report_request.h"
 
 namespace hogelscope {
+
+/// Makes units the tests of the display as designed: names, and the request's session with a twin.
+/// Without any, the unit is the session's own twin. Returns false if that has no errors.
+[[nodiscard]] bool compareWithDesign(ReportRequest& request,
+                                     const std::vector<std::pair<std::string, Session>>& units);
 
 /// Returns the columns move_rms and move_rest, which are no metric of two pictures: its values are
 /// NaN, and moveValues() gives those of a row.

@@ -131,6 +131,7 @@ class TestTwin : public QObject {
  private Q_SLOTS:
   void isTheReference();
   void plainViewsAreTheReference();
+  void outlinesAreTheReference();
   void raysAreInverse();
   void withoutErrorsNothingChanges();
   void foldingMapsAreRefused();
@@ -190,6 +191,45 @@ void TestTwin::plainViewsAreTheReference() {
     QVERIFY2(difference.isEmpty(), qPrintable(QString("seed %1: ").arg(seed) + difference));
   }
   QVERIFY2(counts.seen > 10000 && counts.unclear < counts.seen / 50,
+           qPrintable(QString("%1 %2").arg(counts.seen).arg(counts.unclear)));
+}
+
+/// The ends of rows, at which hogels' shifts or the map of directions alone decide what is seen.
+void TestTwin::outlinesAreTheReference() {
+  Counts counts;
+  for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+    Random random(seed);
+    RandomScene scene = sceneOf(random);
+    RenderJob& job = scene.job;
+    scene.content.codes.clear();
+    fillWithNoise<std::uint8_t>(random, scene, 0, 256, 1);
+    job.display.lens = HogelLensModel::rectilinear;
+    for (double& fov : job.display.fov) fov *= 0.6;  // so that the field ends within the panel
+    job.sampling = {};
+    job.sampling.reconstruction = Reconstruction::nearest;
+    job.state.psf = {};
+    job.state.distortion = {};
+    job.state.camera.res = {random.integer(200, 300), random.integer(10, 20)};
+    TwinParams params;
+    TwinMaps maps;
+    if (random.flip()) {
+      params.random.shift.sigma = 0.1 * job.display.size[0] / job.display.hogels[0];
+    } else {
+      const auto [du, dv] = job.display.directions;
+      const double moved = random.uniform(-0.6, 0.6);
+      maps.moveU = {du, dv, {}};
+      maps.moveV = {du, dv, {}};
+      for (int k = 0; k < du * dv; ++k) {
+        maps.moveU.values.push_back(float(moved * (1 - 0.4 * (k % du))));
+        maps.moveV.values.push_back(float(moved * (0.4 * (k / du) - 1)));
+      }
+    }
+    job.twin = std::make_shared<const Twin>(params, maps, job.display);
+    QVERIFY(plan(job).copiesTexels && job.twin->isAffine());
+    const QString difference = firstDifference(job, rendered(job), counts);
+    QVERIFY2(difference.isEmpty(), qPrintable(QString("seed %1: ").arg(seed) + difference));
+  }
+  QVERIFY2(counts.seen > 5000 && counts.unclear < counts.seen / 50,
            qPrintable(QString("%1 %2").arg(counts.seen).arg(counts.unclear)));
 }
 

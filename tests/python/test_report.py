@@ -47,6 +47,44 @@ class Report(FolderTest):
         self.assertEqual(set(columns), set(rows[0]))
         self.assertEqual([row["state"] for row in rows], ["middle", "left"])
 
+    def test_units_against_the_design(self):
+        """The program's tables; the session's own twin and dicts are as files."""
+        offset = {"lensArray": {"offset": [1e-3, 0]}}
+        turned = {"lensArray": {"rotation": 0.3}, "colour": {"scale": [-0.02, 0, 0.02]}}
+        files = [self.write("offset.json", {"hogelscope": 1, "twin": offset}),
+                 self.write("turned.json", {"hogelscope": 1, "twin": turned})]
+        program("--report", "--session", self.file, "--against", "design", "--twin", files[0],
+                "--twin", files[1], "--output", self.path("a"), "--quiet")
+        rows = hs.report(self.session, against="design", twins=files, output=self.path("b"))
+        for name in ("report.csv", "metrics.csv", "summary.csv"):
+            self.assertEqual(read(self.path("a", name)), read(self.path("b", name)), name)
+        self.assertEqual([row["test"] for row in rows], ["offset.json", "turned.json"] * 2)
+        self.assertTrue(all(row["move_rms"] > 0 for row in rows))
+        self.assertLess(rows[0]["move_rest"], 1e-6)  # an offset moves all rays alike
+        self.assertGreater(rows[1]["move_rest"], 1e-3)
+
+        dicts = hs.report(self.session, against="design", output=self.path("c"),
+                          twins={"offset.json": offset, "turned.json": turned})
+        self.assertEqual(dicts, rows)
+        own = self.session.copy()
+        own["twin"] = turned
+        alone = hs.report(own, against="design", output=self.path("d"))
+        self.assertEqual(alone, [{**row, "test": "twin"} for row in rows[1::2]])
+        array = hs.report(hs.Session(small_session()), against="design", twins=files,
+                          light_field=self.views, output=self.path("e"))
+        self.assertEqual(array, rows)
+
+        design = {"against": "design", "output": self.path("f")}
+        self.assertRefuses("needs a unit", hs.report, self.session, **design)
+        self.assertRefuses('for against="design"', hs.report, self.session,
+                           twins=files, output=self.path("f"))
+        self.assertRefuses("is there twice", hs.report, self.session, twins=files[:1] * 2, **design)
+        self.assertRefuses("none.json", hs.report, self.session, twins=self.path("none.json"),
+                           **design)
+        self.assertRefuses("rotation", hs.report, self.session, **design,
+                           twins={"a": {"lensArray": {"rotation": "much"}}})
+        self.assertFalse(os.path.exists(self.path("f")))
+
     def test_numpy_is_as_files(self):
         """The same rows, and a report of numpy needs no file at all."""
         files = hs.report(self.session, {"coded": self.coded}, output=self.path("a"))
@@ -263,7 +301,7 @@ class Report(FolderTest):
                            {"a": np.zeros((3, 4, 4, 4, 3), np.uint8)}, output=out,
                            light_field=self.views)
         self.assertRefuses("cannot be made|cannot", report, s, {"a": self.coded}, output="/proc/no")
-        self.assertRefuses('"idael" is not', report, s, output=out, against="idael")
+        self.assertRefuses('"idael" is neither', report, s, output=out, against="idael")
         self.assertRefuses('"c" is none of the tests', report, s, {"a": self.coded}, output=out,
                            groups={"g": {"c": 1}})
         self.assertRefuses("needs four or more", report, s, {"a": self.coded}, output=out,

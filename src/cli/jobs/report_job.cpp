@@ -139,33 +139,18 @@ std::vector<RateGroup> rateGroups(const CommandLine& line, const std::vector<Rep
   return groups;
 }
 
-/// Adds the units of --twin as tests: their files' names are the tests' names.
-void addTwins(const CommandLine& line, ReportRequest& request) {
+/// Returns the units of --twin: their files' names are the tests' names.
+std::vector<std::pair<std::string, Session>> unitsOf(const CommandLine& line,
+                                                     const Session& session) {
+  std::vector<std::pair<std::string, Session>> units;
   std::set<std::string> names;
   for (const std::string& file : line.texts("twin")) {
-    const std::string name = fs::path(file).filename().string();
     if (!names.insert(fs::path(file).stem().string()).second)
       throw InputError("command line", "--twin " + file,
                        "has the name of another twin: name their files differently");
-    request.tests.push_back({name, withTwin(request.session, file, line), request.file});
+    units.emplace_back(fs::path(file).filename().string(), withTwin(session, file, line));
   }
-}
-
-/// Makes the session's own twin, or those of --twin, tests of the display as designed.
-void compareWithDesign(const CommandLine& line, ReportRequest& request) {
-  request.isAgainstDesign = true;
-  const Session built = request.session;
-  request.session.twin = {};
-  request.session.twinFile.clear();
-  if (line.has("twin"))
-    addTwins(line, request);
-  else if (!built.twin.isZero())
-    request.tests.push_back(
-        {built.twinFile.empty() ? "twin" : fs::path(built.twinFile).filename().string(), built,
-         request.file});
-  else
-    throw InputError("command line", "--against design",
-                     "needs a unit to compare: --twin FILE, or a session with a twin");
+  return units;
 }
 
 /// Returns a text such as "400 views: 62 % of the time rendering, 12 % metrics, 3 % images".
@@ -216,8 +201,9 @@ int runReport(const CommandLine& line) {
   if (request.isAgainstIdeal) {
     requireLive(request.session);
     request.tests.push_back({"display", request.session, request.file});
-  } else if (line.has("against")) {
-    compareWithDesign(line, request);
+  } else if (line.has("against") && !compareWithDesign(request, unitsOf(line, request.session))) {
+    throw InputError("command line", "--against design",
+                     "needs a unit to compare: --twin FILE, or a session with a twin");
   }
   std::ranges::move(openTests(request.session, line.texts("test")),
                     std::back_inserter(request.tests));

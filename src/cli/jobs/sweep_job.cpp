@@ -8,6 +8,7 @@
 #include "cli/jobs/all_jobs.h"
 #include "cli/terminal.h"
 #include "core/base/text.h"
+#include "io/documents/session_file.h"
 #include "io/files/folders.h"
 #include "measure/sweep.h"
 

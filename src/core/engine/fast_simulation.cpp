@@ -7,6 +7,7 @@
 
 #include "core/engine/aperture_sum.h"
 #include "core/engine/ray_light.h"
+#include "core/engine/twin_kernels.h"
 #include "core/panel/twin.h"
 
 namespace hogelscope {
@@ -67,33 +68,23 @@ void FastSimulation::copyRow(int y, int x0, int x1, std::uint8_t* rgb, std::uint
 
 void FastSimulation::copyTwinRow(int y, int x0, int x1, std::uint8_t* rgb,
                                  std::uint8_t* seen) const {
-  const RaySample& sample = m_rays.samplesFrom(0).front();
-  std::vector<double> plainY;
-  const double* xs = m_rays.plainX(x0);
-  const double* ys = nullptr;
-  if (const LensTable* lens = m_rays.lens(); lens != nullptr) {
-    xs = lens->x(y, sample) + x0;
-    ys = lens->y(y, sample) + x0;
-  } else {
-    plainY.assign(std::size_t(x1 - x0), m_rays.plainY(y));
-    ys = plainY.data();
-  }
   const HitMap& map = m_rays.map(0);
-  const auto copy = [&](int first, int last) {
-    const std::ptrdiff_t from = first - x0;
-    copyTwinRays(map, m_texels->layout(), byteTexels(), xs + from, ys + from, last - first,
-                 rgb + 3 * from, seen + from);
+  const auto copy = [&](const double* xs, const double* ys) {
+    copyTwinRays(map, m_texels->layout(), byteTexels(), xs, ys, x1 - x0, rgb, seen);
   };
-  const Twin& twin = *map.panel.twin;
-  if (m_rays.plan().hasLens || !twin.isAffine() || twin.movesHits()) return copy(x0, x1);
-  const auto [first, sure, unsure, last] = m_rays.twinParts(y, x0, x1);
-  if (first < sure) copy(first, sure);
-  if (sure < unsure) {
-    std::memset(seen + (sure - x0), 255, std::size_t(unsure - sure));
-    copyTwinHits(map, m_texels->layout(), byteTexels(), xs + (sure - x0), m_rays.plainY(y),
-                 unsure - sure, rgb + std::ptrdiff_t(3) * (sure - x0));
+  if (const LensTable* lens = m_rays.lens(); lens != nullptr) {
+    const RaySample& sample = m_rays.samplesFrom(0).front();
+    return copy(lens->x(y, sample) + x0, lens->y(y, sample) + x0);
   }
-  if (unsure < last) copy(unsure, last);
+  if (!map.panel.twin->isAffine()) {
+    const std::vector<double> plainY(std::size_t(x1 - x0), m_rays.plainY(y));
+    return copy(m_rays.plainX(x0), plainY.data());
+  }
+  const std::array<int, 4> parts = m_rays.twinParts(y, x0, x1);
+  const std::ptrdiff_t from = parts[0] - x0;
+  if (parts[0] < parts[3])
+    hogelscope::copyTwinRow(map, m_texels->layout(), byteTexels(), m_rays.plainX(parts[0]),
+                            m_rays.plainY(y), parts, rgb + 3 * from, seen + from);
 }
 
 const Texel<std::uint8_t>* FastSimulation::byteTexels() const {

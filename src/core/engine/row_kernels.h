@@ -3,36 +3,13 @@
 // one texel. The compiler vectorises these plain loops for AVX-512, AVX2 and the baseline.
 #pragma once
 
-#include <array>
 #include <cstdint>
 
+#include "core/engine/hit_map.h"
 #include "core/light_field/block_layout.h"
 #include "core/light_field/light_field.h"
-#include "core/panel/display.h"
 
 namespace hogelscope {
-
-/// The number of rays in a batch, small enough for the first-level cache.
-constexpr int batchSize = 128;
-
-/// Maps a point (x, y, 1) of the image plane to real-valued hogel and direction (docs/formulas.md,
-/// Hit): the direction in the display frame is d = x·right + y·down + forward, its slopes are
-/// d.x/d.z and d.y/d.z.
-struct HitMap {
-  std::array<double, 3> right{};
-  std::array<double, 3> down{};
-  std::array<double, 3> forward{};
-  PanelMap panel;         ///< the map from slopes to cells
-  bool isSingle = false;  ///< float arithmetic
-};
-
-/// The cells of a batch, and for interpolation the position in them: 0 at the cell's beginning, 1
-/// at its end.
-struct CellBatch {
-  std::array<std::array<std::uint32_t, batchSize>, 4> cell;
-  std::array<std::array<float, batchSize>, 4> place;
-  std::array<std::uint8_t, batchSize> seen;
-};
 
 /// Gives lanes without a hit the cells of one with a hit, so that whole batches stay away from
 /// borders. Returns false if there is none.
@@ -48,16 +25,6 @@ void copyHits(const HitMap& map, const BlockLayout& layout, const Texel<std::uin
 /// Writes 255 or 0 for seen or not.
 void copyRays(const HitMap& map, const BlockLayout& layout, const Texel<std::uint8_t>* texels,
               const double* x, const double* y, int count, std::uint8_t* rgb, std::uint8_t* seen);
-
-/// The same for a twin of which Twin::hasKernel() is true, in double arithmetic.
-void copyTwinRays(const HitMap& map, const BlockLayout& layout, const Texel<std::uint8_t>* texels,
-                  const double* x, const double* y, int count, std::uint8_t* rgb,
-                  std::uint8_t* seen);
-
-/// The same for rays that are known to hit an affine twin without a map of directions, as
-/// copyHits().
-void copyTwinHits(const HitMap& map, const BlockLayout& layout, const Texel<std::uint8_t>* texels,
-                  const double* x, double y, int count, std::uint8_t* rgb);
 
 /// Fills a batch with the cells of one colour of a twin, of which others have the same; cell 0
 /// where nothing is seen.

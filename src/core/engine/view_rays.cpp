@@ -143,11 +143,12 @@ std::array<int, 2> ViewRays::seenPart(int y, int x0, int x1) const {
 }
 
 /// As in seenPart() each condition is linear in x. u and v also depend on the whole hogel, which is
-/// within half a hogel of i − 1/2, and on its own move: their sums are a margin.
+/// within half a hogel of i − 1/2, on its own move and on the map of directions: their sums are a
+/// margin.
 std::array<int, 4> ViewRays::twinParts(int y, int x0, int x1) const {
   const HitMap& map = m_maps.front();
   const Twin& twin = *map.panel.twin;
-  const AffineHits hits = twin.affineHits(map.panel.eye);
+  const AffineHits& hits = map.panel.affine;
   const double py = plainY(y);
   const auto rowAt = [&](std::size_t c) { return map.down[c] * py + map.forward[c]; };
   std::array<double, 2> some{m_x[std::size_t(x0)], m_x[std::size_t(x1 - 1)]};
@@ -178,7 +179,8 @@ std::array<int, 4> ViewRays::twinParts(int y, int x0, int x1) const {
                                 along * own[2] + across * other[2]};
     index[1 + axis] += slope;
     bound(index, map.panel.count[axis + 2],
-          (std::abs(along) + std::abs(across)) / 2 + twin.largestMoves()[axis] + rounding);
+          (std::abs(along) + std::abs(across)) / 2 + twin.largestMoves()[axis] +
+              twin.directionTable().largest()[axis] + rounding);
   }
   const auto column = [&](double x) { return x * m_lensKey.focalLength.x + m_lensKey.centre.x; };
   const auto within = [&](double at) { return int(std::clamp(at, double(x0), double(x1))); };

@@ -87,6 +87,7 @@ PanelMap Display::mapFrom(const Vec3& eye) const {
   map.count = {nx, ny, du, dv};
   map.twin = m_twin.get();
   map.eye = eye;
+  if (m_twin && m_twin->isAffine()) map.affine = m_twin->affineHits(eye);
   map.constant = {(eye.x / panel[0] + 0.5) * nx, (0.5 - eye.y / panel[1]) * ny,
                   m_convergence * eye.x, m_convergence * eye.y};
   map.slope = {-eye.z / panel[0] * nx, eye.z / panel[1] * ny, turned, turned};

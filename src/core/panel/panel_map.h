@@ -11,6 +11,16 @@ namespace hogelscope {
 
 class Twin;
 
+/// Gives what rays of slopes a, b from one eye meet of an affine twin (Twin::isAffine), before its
+/// hogels' moves and its map of directions.
+struct AffineHits {
+  /// i and j: a constant, and what they grow by for each unit of a, and of b.
+  std::array<std::array<double, 3>, 2> place{};
+  /// u and v: a constant, and what they grow by for each unit of their own slope, and for each
+  /// hogel along their axis and across it.
+  std::array<std::array<double, 4>, 2> direction{};
+};
+
 /// Gives the real-valued hogel (i, j) and direction (u, v) that a ray from one eye meets, from its
 /// slopes a = dx/dz and b = dy/dz in the display frame: `constant` + `slope`·a for i and u, ·b for
 /// j and v (docs/formulas.md, Hit). The display that made the map must outlive it.
@@ -23,7 +33,8 @@ struct PanelMap {
   std::array<const HogelLens*, 2> lenses{};
   /// The unit that rays meet instead, in the same way as Twin::meet(); null: the design.
   const Twin* twin = nullptr;
-  Vec3 eye;  ///< in the display frame, metres
+  Vec3 eye;             ///< in the display frame, metres
+  AffineHits affine{};  ///< of a twin that is affine
 };
 
 }  // namespace hogelscope

@@ -21,47 +21,6 @@ namespace {
 /// The draws of a seed.
 enum Draw : std::uint32_t { drawnShiftX, drawnShiftY, drawnGain };
 
-/// A place between the middles of two of `count` cells: the first one, and the share of the second,
-/// which is beyond 0 … 1 outside the outermost middles.
-struct Between {
-  int first;
-  double share;
-};
-
-Between between(double place, int count) {
-  if (count == 1) return {0, 0};
-  const double at = place * count - 0.5;
-  const int first = static_cast<int>(std::clamp(std::floor(at), 0.0, double(count - 2)));
-  return {first, at - first};
-}
-
-/// The bilinear function of a plane around a place.
-struct Bilinear {
-  Bilinear(const TwinPlane& plane, const Between& i, const Between& j) {
-    const int right = std::min(i.first + 1, plane.width - 1);
-    const int below = std::min(j.first + 1, plane.height - 1);
-    const auto at = [&](int column, int row) {
-      return double(
-          plane.values[std::size_t(row) * std::size_t(plane.width) + std::size_t(column)]);
-    };
-    const double top = at(i.first, j.first);
-    const double bottom = at(i.first, below);
-    const double alongTop = at(right, j.first) - top;
-    const double alongBottom = at(right, below) - bottom;
-    value = (1 - j.share) * (top + i.share * alongTop) + j.share * (bottom + i.share * alongBottom);
-    across = (1 - j.share) * alongTop + j.share * alongBottom;
-    down = bottom + i.share * alongBottom - top - i.share * alongTop;
-  }
-  double value;
-  double across;  ///< for each cell
-  double down;
-};
-
-Between within(Between place) {
-  place.share = std::clamp(place.share, 0.0, 1.0);
-  return place;
-}
-
 /// The surface at a place, metres, and its slopes.
 struct SurfacePoint {
   double z = 0;
@@ -73,8 +32,8 @@ struct SurfacePoint {
 SurfacePoint surfaceAt(const TwinPlane& height, const std::array<double, 2>& size, double x,
                        double y) {
   if (height.isEmpty()) return {};
-  const Bilinear at(height, between(std::clamp(x / size[0] + 0.5, 0.0, 1.0), height.width),
-                    between(std::clamp(0.5 - y / size[1], 0.0, 1.0), height.height));
+  const Bilinear at(height, planePlaceOf(std::clamp(x / size[0] + 0.5, 0.0, 1.0), height.width),
+                    planePlaceOf(std::clamp(0.5 - y / size[1], 0.0, 1.0), height.height));
   return {at.value, at.across * height.width / size[0], -at.down * height.height / size[1]};
 }
 
@@ -83,16 +42,6 @@ bool isOutside(double index, int count) {
 }
 
 }  // namespace
-
-double TwinPlane::at(double x, double y) const {
-  return Bilinear(*this, within(between(x, width)), within(between(y, height))).value;
-}
-
-float TwinPlane::atCell(int i, int j, int nx, int ny) const {
-  if (isEmpty()) return 0;
-  if (width == nx && height == ny) return values[std::size_t(j) * std::size_t(nx) + std::size_t(i)];
-  return static_cast<float>(at((i + 0.5) / nx, (j + 0.5) / ny));
-}
 
 Twin::Twin(TwinParams params, TwinMaps maps, const PanelParams& design)
     : m_params(std::move(params)),
@@ -234,8 +183,8 @@ Twin::Move Twin::moveAt(double u, double v) const {
   Move move;
   const auto find = [&, du = du, dv = dv](const TwinPlane& plane, double Vec2::*axis) {
     if (plane.isEmpty()) return;
-    const Between i = between(u / du, plane.width);
-    const Between j = between(v / dv, plane.height);
+    const PlanePlace i = planePlaceOf(u / du, plane.width);
+    const PlanePlace j = planePlaceOf(v / dv, plane.height);
     const Bilinear at(plane, within(i), within(j));
     move.m.*axis = at.value;
     if (i.share == within(i).share) move.across.*axis = at.across * plane.width / du;
@@ -304,21 +253,8 @@ void Twin::prepareKernels() {
   for (const auto& move : m_hogelMoves)
     for (std::size_t axis = 0; axis < 2; ++axis)
       m_largestMoves[axis] = std::max(m_largestMoves[axis], std::abs(double(move[axis])));
-  const TwinPlane& plane = m_maps.moveU.isEmpty() ? m_maps.moveV : m_maps.moveU;
-  if (m_params.lensArray.outside != OutsideField::dark || plane.width < 2 || plane.height < 2)
-    return;
-  m_directions.width = plane.width;
-  m_directions.height = plane.height;
-  for (int row = 0; row < plane.height; ++row)
-    for (int column = 0; column < plane.width; ++column) {
-      const Vec2 node{(column + 0.5) / plane.width * du, (row + 0.5) / plane.height * dv};
-      const Vec2 move = moveAt(node.x, node.y).m;
-      const Vec2 found = solved(node);
-      for (const double value : {move.x, move.y})
-        m_directions.moves.push_back(static_cast<float>(value));
-      for (const double value : {found.x - node.x, found.y - node.y})
-        m_directions.back.push_back(static_cast<float>(value));
-    }
+  if (m_params.lensArray.outside == OutsideField::dark && movesDirections())
+    m_directions = MoveTable(m_maps.moveU, m_maps.moveV, m_design.directions);
 }
 
 AffineHits Twin::affineHits(const Vec3& eye) const {
@@ -413,19 +349,26 @@ std::optional<Hit> Twin::meet(const Vec3& eye, const Vec3& direction, std::size_
 }
 
 /// Newton's steps. The map is bilinear between the middles of its cells and does not fold, so that
-/// few are needed.
+/// few are needed; a step after which more is left, beyond a steep cell, is halved.
 Vec2 Twin::solved(const Vec2& designed) const {
   Vec2 found = designed;
-  for (int step = 0; step < 50; ++step) {
+  Vec2 step;
+  double left = std::numeric_limits<double>::infinity();
+  for (int count = 0; count < 100; ++count) {
     const Move move = moveAt(found.x, found.y);
-    const double restU = designed.x - found.x - move.m.x;
-    const double restV = designed.y - found.y - move.m.y;
+    const Vec2 rest{designed.x - found.x - move.m.x, designed.y - found.y - move.m.y};
+    const double size = std::max(std::abs(rest.x), std::abs(rest.y));
+    if (size >= left) {
+      step = {step.x / 2, step.y / 2};
+      found = {found.x - step.x, found.y - step.y};
+      continue;
+    }
+    left = size;
     const double determinant = move.determinant();
-    const double stepU = (restU * (1 + move.down.y) - restV * move.down.x) / determinant;
-    const double stepV = (restV * (1 + move.across.x) - restU * move.across.y) / determinant;
-    found.x += stepU;
-    found.y += stepV;
-    if (std::max(std::abs(stepU), std::abs(stepV)) < 1e-9) break;
+    step = {(rest.x * (1 + move.down.y) - rest.y * move.down.x) / determinant,
+            (rest.y * (1 + move.across.x) - rest.x * move.across.y) / determinant};
+    found = {found.x + step.x, found.y + step.y};
+    if (std::max(std::abs(step.x), std::abs(step.y)) < 1e-9) break;
   }
   return found;
 }

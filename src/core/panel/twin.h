@@ -8,24 +8,11 @@
 #include <vector>
 
 #include "core/panel/display.h"
+#include "core/panel/move_table.h"
 #include "core/panel/twin_params.h"
+#include "core/panel/twin_plane.h"
 
 namespace hogelscope {
-
-/// Measured values, row by row from the top; empty if nothing was measured.
-struct TwinPlane {
-  int width = 0;
-  int height = 0;
-  std::vector<float> values;  ///< width·height
-
-  [[nodiscard]] bool isEmpty() const { return values.empty(); }
-  /// Returns the value at cell (i, j) of a grid of nx × ny cells over the same area: the plane's
-  /// own if it has as many, else bilinear between the middles of its cells.
-  [[nodiscard]] float atCell(int i, int j, int nx, int ny) const;
-  /// Returns the value at (x, y), 0 … 1 from the left and the top: bilinear between the middles of
-  /// its cells, beyond which it stays the same.
-  [[nodiscard]] double at(double x, double y) const;
-};
 
 /// The maps of TwinMapFiles. Lengths are metres; x is to the viewer's right, y upwards.
 struct TwinMaps {
@@ -47,25 +34,6 @@ struct HogelErrors {
   float tiltX = 0;
   float tiltY = 0;
   float gap = 0;
-};
-
-/// A map of directions for kernels: at the middles of width × height cells over the field, pairs
-/// for u and v.
-struct MoveTable {
-  int width = 0;  ///< two or more, as `height`
-  int height = 0;
-  std::vector<float> moves;  ///< m(u, v)
-  std::vector<float> back;   ///< what is added to (u₀, v₀) to solve u + m(u, v) = u₀
-};
-
-/// Gives what rays of slopes a, b from one eye meet of an affine twin (Twin::isAffine), before its
-/// hogels' moves and its map of directions.
-struct AffineHits {
-  /// i and j: a constant, and what they grow by for each unit of a, and of b.
-  std::array<std::array<double, 3>, 2> place{};
-  /// u and v: a constant, and what they grow by for each unit of their own slope, and for each
-  /// hogel along their axis and across it.
-  std::array<std::array<double, 4>, 2> direction{};
 };
 
 /// The lens array, as numbers of an affine map: of two numbers, the first is across, the second
@@ -151,12 +119,12 @@ class Twin {
   [[nodiscard]] const std::array<double, 2>& largestMoves() const { return m_largestMoves; }
   /// Returns what is added to u and v in each hogel, row by row; empty if nothing is.
   [[nodiscard]] const std::vector<std::array<float, 2>>& hogelMoves() const { return m_hogelMoves; }
-  /// Returns all of moved(), if that is a map of directions alone; its cells are 0 if it is not.
+  /// Returns all of moved(), if that is a map of directions alone; empty if it is not.
   [[nodiscard]] const MoveTable& directionTable() const { return m_directions; }
   /// Whether kernels know the twin: all of meet() but for the hogels' tables is affine, or there is
   /// no moved().
   [[nodiscard]] bool hasKernel() const {
-    return isSimple() && (!movesHits() || (isAffine() && m_directions.width > 0));
+    return isSimple() && (!movesHits() || (isAffine() && !m_directions.isEmpty()));
   }
   /// Returns a hit on the array after the directions' map, and at the neighbour that is seen in
   /// place of what lies outside the field. A hit beside the array stays.

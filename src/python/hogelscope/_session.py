@@ -346,6 +346,31 @@ def _named_tests(tests: Any) -> List[Tuple[str, Any]]:
     ]
 
 
+def _units(
+    session: Session, twins: Any, states: Optional[Sequence[Any]], has_light: bool
+) -> List[Tuple[str, _hogelscope.Document]]:
+    """Names, and the session with each twin; files are relative to the current folder."""
+    named: Dict[str, Any] = {}
+    if isinstance(twins, Mapping):
+        named = {str(name): twin for name, twin in twins.items()}
+    elif twins is not None:
+        for file in [twins] if isinstance(twins, (str, os.PathLike)) else twins:
+            name = os.path.basename(path_text(file))
+            if name in named:
+                raise InputError(f"twins: {name} is there twice: use a mapping with other names")
+            named[name] = file
+    units = []
+    for name, twin in named.items():
+        built = session.copy()
+        if isinstance(twin, (str, os.PathLike)):
+            file = path_text(twin)
+            built["twin"] = os.path.abspath(file) if session.folder else file
+        else:
+            built["twin"] = twin
+        units.append((name, built._document(states, has_light)))
+    return units
+
+
 def report(
     session: Session,
     tests: Union[Mapping[str, Any], Iterable[Any]] = (),
@@ -356,6 +381,7 @@ def report(
     groups: Optional[Mapping[str, Mapping[str, float]]] = None,
     metrics: Optional[Mapping[str, Metric]] = None,
     against: Optional[str] = None,
+    twins: Union[None, Path, Mapping[str, Any], Iterable[Any]] = None,
     images: bool = False,
     threads: int = 0,
     progress: Optional[Progress] = None,
@@ -378,7 +404,11 @@ def report(
             the column NAME, or a dict of numbers, columns NAME_KEY; NaN where nothing is defined.
             Columns, means and BD-rates follow as those of plugins do. A report that goes on does
             not call it again for what is done, so a changed function needs a new name.
-        against: "ideal" compares a live scene's display with the scene itself, too.
+        against: "ideal" compares a live scene's display with the scene itself, too; "design" the
+            display as designed with units as they were built, of which "move_rms" and "move_rest"
+            say how far rays move, in pixels, and how far beside the mean.
+        twins: the units of against="design": a twin document, a list of them, or {name: unit},
+            where a unit may be a dict such as session["twin"], too; without them the session's own.
         images: keep every picture.
         threads, progress: as in Session.render().
 
@@ -391,8 +421,10 @@ def report(
     A report that was stopped, by Ctrl-C or otherwise, goes on in the same folder when it is asked
     for again with the same light fields. Raises InputError.
     """
-    if against not in (None, "ideal"):
-        raise InputError(f'against: "{against}" is not "ideal"')
+    if against not in (None, "ideal", "design"):
+        raise InputError(f'against: "{against}" is neither "ideal" nor "design"')
+    if twins is not None and against != "design":
+        raise InputError('twins: are for against="design"')
     choices = []
     for name, light in _named_tests(tests):
         if light is None:
@@ -408,8 +440,9 @@ def report(
         if not callable(function):
             raise TypeError(f"metric {name!r} is no function: {type(function).__name__}")
     *made, lines = _hogelscope.report(
-        document, light, choices, rates, functions, path_text(output), against is not None, images,
-        threads, progress,
+        document, light, choices, rates, functions, path_text(output), against or "",
+        _units(session, twins, states, not isinstance(light, LightField)), images, threads,
+        progress,
     )
     warn(lines)
     return Report(*made)

@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What the loops of row_kernels.cpp and twin_kernels.cpp have in common: rays in strips, their
+// indices and texels.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <cstring>
+
+#include "core/engine/hit_map.h"
+#include "core/light_field/block_layout.h"
+#include "core/light_field/light_field.h"
+
+namespace hogelscope {
+
+/// The numbers of a HitMap in the precision of the arithmetic.
+template <class Real>
+struct RealMap {
+  explicit RealMap(const HitMap& m) {
+    for (std::size_t c = 0; c < 3; ++c) {
+      right[c] = static_cast<Real>(m.right[c]);
+      down[c] = static_cast<Real>(m.down[c]);
+      forward[c] = static_cast<Real>(m.forward[c]);
+    }
+    for (std::size_t axis = 0; axis < 4; ++axis) {
+      constant[axis] = static_cast<Real>(m.panel.constant[axis]);
+      slope[axis] = static_cast<Real>(m.panel.slope[axis]);
+      count[axis] = static_cast<Real>(m.panel.count[axis]);
+    }
+  }
+
+  std::array<Real, 3> right, down, forward;
+  std::array<Real, 4> constant, slope, count;
+};
+
+/// The slopes of the ray through (x, y, 1), and whether it points to the panel.
+template <class Real>
+struct RealSlopes {
+  Real a;
+  Real b;
+  bool isToward;
+};
+
+template <class Real>
+inline RealSlopes<Real> slopesOf(const RealMap<Real>& m, Real x, Real y) {
+  const Real dx = m.right[0] * x + m.down[0] * y + m.forward[0];
+  const Real dy = m.right[1] * x + m.down[1] * y + m.forward[1];
+  const Real dz = m.right[2] * x + m.down[2] * y + m.forward[2];
+  const Real inverse = 1 / dz;
+  return {dx * inverse, dy * inverse, dz < 0};
+}
+
+/// The real-valued indices at which the ray through (x, y, 1) meets the display.
+template <class Real>
+struct RealHit {
+  Real i;
+  Real j;
+  Real u;
+  Real v;
+  bool isToward;
+};
+
+template <class Real>
+inline RealHit<Real> hitOf(const RealMap<Real>& m, Real x, Real y) {
+  const RealSlopes<Real> s = slopesOf(m, x, y);
+  return {m.constant[0] + m.slope[0] * s.a, m.constant[1] + m.slope[1] * s.b,
+          m.constant[2] + m.slope[2] * s.a, m.constant[3] + m.slope[3] * s.b, s.isToward};
+}
+
+/// Whether all indices are in range. It is bitwise on purpose, without branches. Returns false for
+/// NaN.
+template <class Real>
+inline bool isSeen(const RealMap<Real>& m, const RealHit<Real>& h) {
+  return static_cast<bool>(h.isToward & (h.i >= 0) & (h.i < m.count[0]) & (h.j >= 0) &
+                           (h.j < m.count[1]) & (h.u >= 0) & (h.u < m.count[2]) & (h.v >= 0) &
+                           (h.v < m.count[3]));
+}
+
+template <class Real>
+inline std::uint32_t cellOf(Real index) {
+  return static_cast<std::uint32_t>(static_cast<std::int32_t>(index));
+}
+
+/// Writes three bytes for each address.
+inline void packRgb(const Texel<std::uint8_t>* texels, const std::uint32_t* address, int count,
+                    std::uint8_t* rgb) {
+  // Whole texels are copied, each over the previous one's unused byte; the last has no room for its
+  // own.
+#pragma GCC unroll 8
+  for (int k = 0; k + 1 < count; ++k)
+    std::memcpy(rgb + std::ptrdiff_t(3) * k, texels + address[k], 4);
+  if (count > 0) std::memcpy(rgb + std::ptrdiff_t(3) * (count - 1), texels + address[count - 1], 3);
+}
+
+/// The number of rays in a strip: so few that a processor works on one strip while the next one's
+/// texels come from memory, and so many that their steps fill its units.
+constexpr int stripSize = 64;
+template <class T>
+using Strip = std::array<T, stripSize>;
+
+/// The cells of a strip; all bits of `seen` are set where the ray sees the display, none elsewhere.
+struct CellStrip {
+  std::array<Strip<std::uint32_t>, 4> cell;
+  Strip<std::uint32_t> seen;
+};
+
+enum class Rays { any, hits };
+
+/// Finds and prefetches the addresses of at most a strip of rays, whose cells `find` finds.
+template <Rays rays, class Find>
+inline __attribute__((always_inline)) void findAddresses(const Find& find, const BlockLayout& l,
+                                                         const Texel<std::uint8_t>* texels,
+                                                         const double* x, const double* y,
+                                                         int count, std::uint32_t* address,
+                                                         std::uint8_t* seen) {
+  Strip<double> paddedX;
+  Strip<double> paddedY;
+  if (count < stripSize) {
+    paddedX.fill(x[0]);
+    paddedY.fill(y[0]);
+    std::copy_n(x, count, paddedX.begin());
+    if constexpr (rays == Rays::any) std::copy_n(y, count, paddedY.begin());
+    x = paddedX.data();
+    y = paddedY.data();
+  }
+  CellStrip strip;
+  find(x, y, strip);
+  for (std::size_t k = 0; k < stripSize; ++k) {
+    const std::uint32_t found = l.i.inBlocks(strip.cell[0][k]) + l.j.inBlocks(strip.cell[1][k]) +
+                                l.u.inBlocks(strip.cell[2][k]) + l.v.inBlocks(strip.cell[3][k]);
+    address[k] = rays == Rays::hits || strip.seen[k] != 0 ? found : l.texels;
+  }
+#pragma GCC unroll 8
+  for (int k = 0; k < count; ++k) __builtin_prefetch(texels + address[k]);
+  if constexpr (rays == Rays::any)
+    for (int k = 0; k < count; ++k) seen[k] = static_cast<std::uint8_t>(strip.seen[std::size_t(k)]);
+}
+/// Copies a texel for each ray, whose cells `find` finds strip by strip, and its address `ahead`
+/// rays before, so that it has come from memory by then.
+template <Rays rays, class Find>
+inline __attribute__((always_inline)) void copyTexels(const Find& find, const BlockLayout& layout,
+                                                      const Texel<std::uint8_t>* texels,
+                                                      const double* x, const double* y, int count,
+                                                      std::uint8_t* rgb, std::uint8_t* seen) {
+  constexpr int ahead = 128;
+  const BlockLayout l = layout;  // a copy, so that the compiler knows that stores do not change it
+  std::array<std::uint32_t, 2 * ahead> address;
+  const auto strip = [&](int first) { return &address[std::size_t(first % (2 * ahead))]; };
+  for (int first = 0; first < count + ahead; first += stripSize) {
+    if (first < count)
+      findAddresses<rays>(find, l, texels, x + first, rays == Rays::hits ? y : y + first,
+                          std::min(stripSize, count - first), strip(first),
+                          rays == Rays::hits ? nullptr : seen + first);
+    const int done = first - ahead;
+    if (done >= 0)
+      packRgb(texels, strip(done), std::min(stripSize, count - done),
+              rgb + std::ptrdiff_t(3) * done);
+  }
+}
+/// The indices of a batch; 0 where nothing is seen.
+template <class Real>
+struct IndexBatch {
+  std::array<std::array<Real, batchSize>, 4> index;
+  std::array<std::uint32_t, batchSize> seen;
+};
+
+template <class Real>
+inline void keep(const RealMap<Real>& m, const RealHit<Real>& h, std::size_t k,
+                 IndexBatch<Real>& batch) {
+  const bool seen = isSeen(m, h);
+  batch.index[0][k] = seen ? h.i : 0;
+  batch.index[1][k] = seen ? h.j : 0;
+  batch.index[2][k] = seen ? h.u : 0;
+  batch.index[3][k] = seen ? h.v : 0;
+  batch.seen[k] = seen ? 255 : 0;
+}
+
+template <class Real>
+inline __attribute__((always_inline)) void split(const IndexBatch<Real>& from, int count,
+                                                 CellBatch& batch) {
+  const auto rays = std::size_t(count);
+  for (std::size_t axis = 0; axis < 4; ++axis)
+    for (std::size_t k = 0; k < rays; ++k) {
+      const Real index = from.index[axis][k];
+      const auto cell = static_cast<std::int32_t>(index);
+      batch.cell[axis][k] = static_cast<std::uint32_t>(cell);
+      batch.place[axis][k] = static_cast<float>(index - static_cast<Real>(cell));
+    }
+  for (std::size_t k = 0; k < rays; ++k) batch.seen[k] = static_cast<std::uint8_t>(from.seen[k]);
+}
+
+}  // namespace hogelscope
