@@ -105,7 +105,8 @@ struct CellStrip {
   Strip<std::uint32_t> seen;
 };
 
-enum class Rays { any, hits };
+/// Any rays, or those of a row, which have one y; `hits` are a row's that are known to hit.
+enum class Rays { any, row, hits };
 
 /// Finds and prefetches the addresses of at most a strip of rays, whose cells `find` finds.
 template <Rays rays, class Find>
@@ -133,9 +134,10 @@ inline __attribute__((always_inline)) void findAddresses(const Find& find, const
   }
 #pragma GCC unroll 8
   for (int k = 0; k < count; ++k) __builtin_prefetch(texels + address[k]);
-  if constexpr (rays == Rays::any)
+  if constexpr (rays != Rays::hits)
     for (int k = 0; k < count; ++k) seen[k] = static_cast<std::uint8_t>(strip.seen[std::size_t(k)]);
 }
+
 /// Copies a texel for each ray, whose cells `find` finds strip by strip, and its address `ahead`
 /// rays before, so that it has come from memory by then.
 template <Rays rays, class Find>
@@ -149,7 +151,7 @@ inline __attribute__((always_inline)) void copyTexels(const Find& find, const Bl
   const auto strip = [&](int first) { return &address[std::size_t(first % (2 * ahead))]; };
   for (int first = 0; first < count + ahead; first += stripSize) {
     if (first < count)
-      findAddresses<rays>(find, l, texels, x + first, rays == Rays::hits ? y : y + first,
+      findAddresses<rays>(find, l, texels, x + first, rays == Rays::any ? y + first : y,
                           std::min(stripSize, count - first), strip(first),
                           rays == Rays::hits ? nullptr : seen + first);
     const int done = first - ahead;

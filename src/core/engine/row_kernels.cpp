@@ -12,7 +12,7 @@ namespace hogelscope {
 
 namespace {
 
-/// Finds the cells of a strip; Rays::hits have one y. The indices have a loop, and the cells of
+/// Finds the cells of a strip. The indices have a loop, and the cells of
 /// each axis have one: a processor overlaps the iterations of short loops better than those of one
 /// long loop.
 template <Rays rays, class Real>
@@ -21,7 +21,7 @@ inline __attribute__((always_inline)) void findStrip(const RealMap<Real>& m, con
   std::array<Strip<Real>, 4> index;
   for (std::size_t k = 0; k < stripSize; ++k) {
     const RealHit<Real> h =
-        hitOf(m, static_cast<Real>(x[k]), static_cast<Real>(y[rays == Rays::hits ? 0 : k]));
+        hitOf(m, static_cast<Real>(x[k]), static_cast<Real>(y[rays == Rays::any ? k : 0]));
     const bool seen = rays == Rays::hits || isSeen(m, h);
     index[0][k] = seen ? h.i : 0;
     index[1][k] = seen ? h.j : 0;

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <optional>
 #include <type_traits>
-#include <vector>
 
 #include "core/base/multiversioned.h"
 #include "core/engine/ray_strips.h"
@@ -87,29 +86,29 @@ using Linear = std::array<double, 3>;
 
 /// An affine twin (Twin::isAffine). Its indices are quotients of linear functions; u and v also
 /// depend on the hogel that is met.
-struct AffineMap {
+struct AffineMap : RealMap<double> {
   explicit AffineMap(const HitMap& m)
-      : moves(m.panel.twin->hogelMoves().data()),
+      : RealMap<double>(m),
+        moves(m.panel.twin->hogelMoves().data()),
         table(&m.panel.twin->directionTable()),
         back(table->back().data()),
         z{m.right[2], m.down[2], m.forward[2]} {
-    const auto over = [&](double constant, double ofA, double ofB) {
+    const auto over = [&](double start, double ofA, double ofB) {
       const auto along = [&](const std::array<double, 3>& d) {
-        return ofA * d[0] + ofB * d[1] + constant * d[2];
+        return ofA * d[0] + ofB * d[1] + start * d[2];
       };
       return Linear{along(m.right), along(m.down), along(m.forward)};
     };
     for (std::size_t axis = 0; axis < 2; ++axis) {
-      const auto& [start, ofA, ofB] = m.panel.affine.place[axis];
-      index[axis] = over(start, ofA, ofB);
-      const auto& [constant, slope, ofOwn, ofOther] = m.panel.affine.direction[axis];
-      index[axis + 2] = axis == 0 ? over(constant, slope, 0) : over(constant, 0, slope);
+      const auto& [startOfPlace, ofA, ofB] = m.panel.affine.place[axis];
+      index[axis] = over(startOfPlace, ofA, ofB);
+      const auto& [startOf, ofSlope, ofOwn, ofOther] = m.panel.affine.direction[axis];
+      index[axis + 2] = axis == 0 ? over(startOf, ofSlope, 0) : over(startOf, 0, ofSlope);
       own[axis] = ofOwn;
       other[axis] = ofOther;
       beyond[axis] = table->largest()[axis];
       error[axis] = table->error()[axis];
     }
-    for (std::size_t axis = 0; axis < 4; ++axis) count[axis] = m.panel.count[axis];
     perDirection = table->perDirection();
   }
 
@@ -123,13 +122,61 @@ struct AffineMap {
   std::array<double, 2> other{};   ///< and across it
   std::array<double, 2> beyond{};  ///< how far beyond the field a hit may be moved into it
   std::array<double, 2> error{};   ///< of `back`
-  std::array<double, 4> count{};
 };
 
-/// The indices of a strip. All bits of `isOn` are set where the panel is met, in or out of the
-/// field; column and row are 0 elsewhere.
+/// What one ray meets, before its hogel's move and the map of directions. The indices are of no use
+/// if the panel is not met.
+struct AffineHit {
+  double i;
+  double j;
+  double u;
+  double v;
+  std::int32_t column;
+  std::int32_t row;
+  bool isOn;  ///< the panel is met, in or out of the field
+};
+
+template <Rays rays>
+inline __attribute__((always_inline)) AffineHit hitOf(const AffineMap& m, double x, double y) {
+  const auto at = [&](const Linear& f) __attribute__((always_inline)) {
+    return f[0] * x + (f[1] * y + f[2]);
+  };
+  const double perZ = 1 / at(m.z);
+  AffineHit h;
+  h.i = at(m.index[0]) * perZ;
+  h.j = at(m.index[1]) * perZ;
+  h.isOn = rays == Rays::hits || static_cast<bool>((perZ < 0) & (h.i >= 0) & (h.i < m.count[0]) &
+                                                   (h.j >= 0) & (h.j < m.count[1]));
+  h.column = static_cast<std::int32_t>(h.isOn ? h.i : 0);
+  h.row = static_cast<std::int32_t>(h.isOn ? h.j : 0);
+  h.u = at(m.index[2]) * perZ + (m.own[0] * h.column + m.other[0] * h.row);
+  h.v = at(m.index[3]) * perZ + (m.own[1] * h.row + m.other[1] * h.column);
+  return h;
+}
+
+/// All that one ray meets.
+template <bool hasMoves, bool hasDirections>
+inline __attribute__((always_inline)) RealHit<double> wholeHit(const AffineMap& m, double x,
+                                                               double y) {
+  const AffineHit h = hitOf<Rays::any>(m, x, y);
+  RealHit<double> whole{h.i, h.j, h.u, h.v, h.isOn};
+  if constexpr (hasMoves) {
+    const MoveTable::Pair& move = m.moves[h.row * static_cast<std::int32_t>(m.count[0]) + h.column];
+    whole.u += double(move[0]);
+    whole.v += double(move[1]);
+  }
+  if (hasDirections && h.isOn) {
+    const std::array<double, 2> turned = m.table->solve(whole.u, whole.v);
+    whole.u = turned[0];
+    whole.v = turned[1];
+  }
+  return whole;
+}
+
+/// The hits of a strip. All bits of `isOn` are set where the panel is met; column and row are 0
+/// elsewhere.
 struct AffineStrip {
-  Strip<double> i, j, u, v;
+  Strip<double> u, v;
   Strip<std::int32_t> column, row;
   Strip<std::uint32_t> isOn;
 };
@@ -147,33 +194,20 @@ inline __attribute__((always_inline)) void addPairs(const MoveTable::Pair* pairs
   }
 }
 
-/// Finds the indices of a strip before the map of directions; Rays::hits have one y.
+/// Finds the indices of a strip before the map of directions.
 template <Rays rays, bool hasMoves>
 inline __attribute__((always_inline)) void meetStrip(const AffineMap& m, const double* x,
                                                      const double* y, AffineStrip& s) {
   Strip<std::int32_t> hogel;
   const auto columns = static_cast<std::int32_t>(m.count[0]);
   for (std::size_t k = 0; k < stripSize; ++k) {
-    const double rayY = y[rays == Rays::hits ? 0 : k];
-    const auto at = [&](const Linear& f) __attribute__((always_inline)) {
-      return f[0] * x[k] + (f[1] * rayY + f[2]);
-    };
-    const double perZ = 1 / at(m.z);
-    const double i = at(m.index[0]) * perZ;
-    const double j = at(m.index[1]) * perZ;
-    const bool isOn =
-        rays == Rays::hits ||
-        static_cast<bool>((perZ < 0) & (i >= 0) & (i < m.count[0]) & (j >= 0) & (j < m.count[1]));
-    const auto column = static_cast<std::int32_t>(isOn ? i : 0);
-    const auto row = static_cast<std::int32_t>(isOn ? j : 0);
-    s.i[k] = i;
-    s.j[k] = j;
-    s.u[k] = at(m.index[2]) * perZ + (m.own[0] * column + m.other[0] * row);
-    s.v[k] = at(m.index[3]) * perZ + (m.own[1] * row + m.other[1] * column);
-    s.column[k] = column;
-    s.row[k] = row;
-    s.isOn[k] = isOn ? ~0U : 0;
-    hogel[k] = row * columns + column;
+    const AffineHit h = hitOf<rays>(m, x[k], y[rays == Rays::any ? k : 0]);
+    s.u[k] = h.u;
+    s.v[k] = h.v;
+    s.column[k] = h.column;
+    s.row[k] = h.row;
+    s.isOn[k] = h.isOn ? ~0U : 0;
+    hogel[k] = h.row * columns + h.column;
   }
   if constexpr (hasMoves) addPairs(m.moves, hogel, s);
 }
@@ -284,30 +318,19 @@ inline __attribute__((always_inline)) void withAffine(const Twin& twin, Use use)
     hasMoves ? use(Yes{}, No{}) : use(No{}, No{});
 }
 
-/// As copyTwinRow(), for the rays that are not known to hit: first those on the left, then those on
-/// the right.
-template <class Find>
-inline __attribute__((always_inline)) void copyEnds(const Find& find, const BlockLayout& layout,
-                                                    const Texel<std::uint8_t>* texels,
-                                                    const double* x, double y, int left, int begin,
-                                                    int right, std::uint8_t* rgb,
-                                                    std::uint8_t* seen) {
-  const int count = left + right;
-  if (count == 0) return;
-  const auto rays = std::size_t(count);
-  std::vector<double> xs(x, x + left);
-  xs.insert(xs.end(), x + begin, x + begin + right);
-  const std::vector<double> ys(rays, y);
-  std::vector<std::uint8_t> colours(3 * rays);
-  std::vector<std::uint8_t> hits(rays);
-  copyTexels<Rays::any>(find, layout, texels, xs.data(), ys.data(), count, colours.data(),
-                        hits.data());
-  const auto place = [&](const std::vector<std::uint8_t>& from, int each, std::uint8_t* to) {
-    std::copy_n(from.begin(), each * left, to);
-    std::copy_n(from.begin() + each * left, each * right, to + std::ptrdiff_t(each) * begin);
-  };
-  place(colours, 3, rgb);
-  place(hits, 1, seen);
+/// Copies the texels of columns [first, last) one by one; of few, since a strip takes longer.
+template <bool hasMoves, bool hasDirections>
+inline __attribute__((always_inline)) void copyOneByOne(
+    const AffineMap& m, const BlockLayout& layout, const Texel<std::uint8_t>* texels,
+    const double* x, double y, int first, int last, std::uint8_t* rgb, std::uint8_t* seen) {
+  for (int k = first; k < last; ++k) {
+    const RealHit<double> h = wholeHit<hasMoves, hasDirections>(m, x[k], y);
+    if (!isSeen(m, h)) continue;
+    const std::uint32_t address = layout.i.inBlocks(cellOf(h.i)) + layout.j.inBlocks(cellOf(h.j)) +
+                                  layout.u.inBlocks(cellOf(h.u)) + layout.v.inBlocks(cellOf(h.v));
+    std::memcpy(rgb + std::ptrdiff_t(3) * k, texels + address, 3);
+    seen[k] = 255;
+  }
 }
 
 template <bool hasHogels>
@@ -323,30 +346,8 @@ template <bool hasMoves, bool hasDirections>
 inline __attribute__((always_inline)) void affineCells(const AffineMap& m, const double* x,
                                                        const double* y, int count,
                                                        IndexBatch<double>& found) {
-  for (int first = 0; first < count; first += stripSize) {
-    const auto rays = std::size_t(std::min(stripSize, count - first));
-    Strip<double> stripX, stripY;
-    stripX.fill(x[first]);
-    stripY.fill(y[first]);
-    std::copy_n(x + first, rays, stripX.begin());
-    std::copy_n(y + first, rays, stripY.begin());
-    AffineStrip s;
-    meetStrip<Rays::any, hasMoves>(m, stripX.data(), stripY.data(), s);
-    for (std::size_t k = 0; k < rays; ++k) {
-      if (hasDirections && s.isOn[k] != 0) {
-        const std::array<double, 2> turned = m.table->solve(s.u[k], s.v[k]);
-        s.u[k] = turned[0];
-        s.v[k] = turned[1];
-      }
-      const bool isSeen = isInField(m, s, k);
-      const std::size_t ray = std::size_t(first) + k;
-      found.index[0][ray] = isSeen ? s.i[k] : 0;
-      found.index[1][ray] = isSeen ? s.j[k] : 0;
-      found.index[2][ray] = isSeen ? s.u[k] : 0;
-      found.index[3][ray] = isSeen ? s.v[k] : 0;
-      found.seen[ray] = isSeen ? 255 : 0;
-    }
-  }
+  for (std::size_t k = 0; k < std::size_t(count); ++k)
+    keep(m, wholeHit<hasMoves, hasDirections>(m, x[k], y[k]), k, found);
 }
 
 MULTIVERSIONED
@@ -414,8 +415,17 @@ void copyTwinRow(const HitMap& map, const BlockLayout& layout, const Texel<std::
                                layout, texels, x + left, &y, begin - left,
                                rgb + std::ptrdiff_t(3) * left, nullptr);
         std::memset(seen + left, 255, std::size_t(begin - left));
-        copyEnds(FindAffine<Rays::any, hasMoves.value, hasDirections.value>{m}, layout, texels, x,
-                 y, left, begin, end - begin, rgb, seen);
+        const auto copyEnd = [&](int first, int last) __attribute__((always_inline)) {
+          constexpr int few = 12;
+          if (last - first > few)
+            return copyTexels<Rays::row>(
+                FindAffine<Rays::row, hasMoves.value, hasDirections.value>{m}, layout, texels,
+                x + first, &y, last - first, rgb + std::ptrdiff_t(3) * first, seen + first);
+          copyOneByOne<hasMoves.value, hasDirections.value>(m, layout, texels, x, y, first, last,
+                                                            rgb, seen);
+        };
+        copyEnd(0, left);
+        copyEnd(begin, end);
       });
 }
 
