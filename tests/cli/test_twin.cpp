@@ -268,6 +268,8 @@ void TestTwin::mistakes_data() {
   row(drawn, "s.json: twin.random: draws nothing: give shift or gain a sigma");
   row(drawn.mid(0, 4) + QStringList{"u.txt", "--set", "twin.random.shift.sigma=1e-5"},
       "u.txt: cannot be written: a twin's name ends in .json");
+  row(drawn.mid(0, 4) + QStringList{"sub/folder.json", "--set", "twin.random.shift.sigma=1e-5"},
+      "sub/folder.json: cannot be written: it is there, and is not a file");
   row(render + QStringList{"--set", "twin.maps.hogels=none.exr"}, "none.exr: …");
   row(render + QStringList{"--set", "twin.dead.rows=[1440]"},
       "s.json: twin.dead.rows: has 1440, but the hogel image has rows 0 … 959");
@@ -277,11 +279,13 @@ void TestTwin::mistakes() {
   QFETCH(const QStringList, arguments);
   QFETCH(const QByteArray, line);
   writeFile("sub/offset.json", "{}");
+  writeFile("sub/folder.json/any", "");
   writeFile("dark.json", R"({"light": {"black": 0.1}})");
   writeFile("s.json",
             session({}).replace("linear", arguments.contains("dark.json") ? "encoded" : "linear"));
   const Outcome outcome = program(arguments);
   compareLine(outcome.err.chopped(1), "hogelscope: " + line);
+  QVERIFY(!QFileInfo::exists("sub/folder.hogels.exr"));
   QCOMPARE(outcome.status, 2);
 }
 

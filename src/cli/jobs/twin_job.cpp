@@ -9,6 +9,7 @@
 #include "core/base/text.h"
 #include "core/panel/twin.h"
 #include "io/documents/twin_file.h"
+#include "io/files/atomic_file.h"
 #include "io/files/folders.h"
 #include "io/scene/view_source.h"
 #include "io/twin/twin_maps.h"
@@ -32,6 +33,7 @@ int runMakeTwin(const CommandLine& line) {
   drawn.random = {};
   drawn.maps.hogels = maps.string();
   makeFolderOf(output);
+  (void)AtomicFile(output);  // refuses what is no file before the maps are written
   writeHogelMaps(maps, twin->drawn());
   saveTwin(output, drawn);
   if (!line.has("quiet"))
