@@ -189,7 +189,8 @@ const std::vector<Job>& jobs() {
        .name = "info",
        .value = "FILE",
        .help = "Says what a session, a light field's image, a folder of views or a store is, in "
-               "which order its views are, and how sure that is.",
+               "which order its views are, and how sure that is; or what a lens sheet's "
+               "calibration (visual.json) is.",
        .details = "--output DIR writes DIR/views.png, a contact sheet: the views as their cameras "
                   "stand, with arrows.",
        .examples = "  hogelscope --info data/table1.json\n"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // --info: prints what a file is.
 #include <array>
+#include <cmath>
 #include <filesystem>
 #include <iostream>
 #include <sstream>
@@ -11,6 +12,7 @@
 #include "core/base/error.h"
 #include "core/base/text.h"
 #include "io/documents/session_file.h"
+#include "io/documents/sheet_file.h"
 #include "io/files/folders.h"
 #include "io/images/image_file.h"
 #include "io/images/image_writer.h"
@@ -255,8 +257,36 @@ void printWords(std::ostream& out, bool isDocument, const OrderedSession& subjec
   printOrder(out, subject, assumed);
 }
 
-void writeSheet(const CommandLine& line, const OrderedSession& subject,
-                const AssumedOrder& assumed) {
+void printSheet(std::ostream& out, const SheetCalibration& calibration,
+                const std::vector<std::string>& warnings) {
+  const SheetParams& params = calibration.params;
+  const LensSheet sheet(params);
+  const auto millimetres = [](double length) { return rounded(1000 * length, 4) + " mm"; };
+  const bool isUpright = calibration.cells == SheetCalibration{}.cells;
+  out << "lens sheet  "
+      << (calibration.serial.empty() ? "of a unit without serial number"
+                                     : printable(calibration.serial))
+      << "\n"
+      << "panel       " << params.panel[0] << "×" << params.panel[1] << " px of "
+      << millimetres(sheet.pixel) << ", " << rounded(sheet.size[0], 4) << "×"
+      << rounded(sheet.size[1], 4) << " m\n"
+      << "sub-pixels  "
+      << (isUpright ? "upright stripes of red, green, blue"
+                    : std::to_string(calibration.cells.size()) + " kind(s) of pixels, pattern " +
+                          std::to_string(calibration.pattern))
+      << "\n"
+      << "lenses      " << rounded(sheet.lenses, 2) << " across, " << millimetres(sheet.period)
+      << " (" << rounded(sheet.period / sheet.pixel, 3) << " px) apart along a row, "
+      << rounded(sheet.slant, 3) << "° from upright\n"
+      << "cone        " << numberText(params.cone)
+      << "°: " << rounded(2 * std::tan(radians(params.cone) / 2), 3)
+      << " m wide at 1 m; taken for the lenses', whose pixels are then " << millimetres(sheet.gap)
+      << " of air behind them\n";
+  for (const std::string& warning : warnings) out << "warning     " << printable(warning) << "\n";
+}
+
+void writeContactSheet(const CommandLine& line, const OrderedSession& subject,
+                       const AssumedOrder& assumed) {
   const fs::path file = fs::path(line.text("output")) / "views.png";
   if (!isWhole(subject.session))
     throw InputError(line.subject, "display.hogels",
@@ -276,6 +306,17 @@ void writeSheet(const CommandLine& line, const OrderedSession& subject,
 
 int runInfo(const CommandLine& line) {
   std::ostringstream out;
+  if (isSheetCalibration(line.subject)) {
+    for (const char* option : {"json", "output", "set"})
+      if (line.has(option))
+        throw InputError("command line", std::string("--") + option,
+                         "is for a light field, not for a lens sheet's calibration");
+    std::vector<std::string> warnings;
+    const SheetCalibration calibration = loadSheetCalibration(line.subject, &warnings);
+    printSheet(out, calibration, warnings);
+    std::cout << out.str();
+    return 0;
+  }
   try {
     const OrderedSession subject = subjectOf(line);
     const AssumedOrder assumed = orderOf(subject);
@@ -283,7 +324,7 @@ int runInfo(const CommandLine& line) {
       out << orderDocument(assumed);
     else
       printWords(out, isSessionDocument(line.subject), subject, assumed);
-    if (line.has("output")) writeSheet(line, subject, assumed);
+    if (line.has("output")) writeContactSheet(line, subject, assumed);
   } catch (const InputError& error) {
     throw error.in(line.subject);
   }
