@@ -417,16 +417,17 @@ void TestCommandLine::infoOfALensSheet() {
     "center": 0.25, "viewCone": 40, "DPI": 254, "screenW": 3840, "screenH": 2160, "invView": 0})");
   const Outcome outcome = run({"--info", "visual.json"}, m_folder->path());
   QCOMPARE(outcome.err, QByteArray());
-  QCOMPARE(outcome.out,
-           QByteArray(R"(lens sheet  unit\x1b7)"
-                      "\n"
-                      "panel       3840×2160 px of 0.1000 mm, 0.3840×0.2160 m\n"
-                      "sub-pixels  upright stripes of red, green, blue\n"
-                      "lenses      745.62 across, 0.5150 mm (5.150 px) apart along a row, -9.462° "
-                      "from upright\n"
-                      "cone        40°: 0.728 m wide at 1 m; taken for the lenses', whose pixels "
-                      "are then 0.7075 mm of air behind them\n"
-                      "warning     invView is 0, which is ignored: views go from left to right\n"));
+  QCOMPARE(
+      outcome.out,
+      QByteArray(R"(lens sheet  unit\x1b7)"
+                 "\n"
+                 "panel       3840×2160 px of 0.1000 mm, 0.3840×0.2160 m\n"
+                 "sub-pixels  upright stripes of red, green, blue\n"
+                 "lenses      745.62 across, 0.5150 mm (5.150 px) apart along a row, 9.462° from "
+                 "upright, the top to the right\n"
+                 "cone        40°: 0.728 m wide at 1 m; taken for the lenses', whose pixels "
+                 "are then 0.7075 mm of air behind them\n"
+                 "warning     invView is 0, which is ignored: views go from left to right\n"));
   QCOMPARE(run({"--info", "visual.json", "--json"}, m_folder->path()).err,
            QByteArray("hogelscope: command line: --json: is for a light field, not for a lens "
                       "sheet's calibration\n"));

@@ -123,7 +123,7 @@ void TestBadJson::structure_data() {
             "display.hogel: is not known here; did you mean \"hogels\"?");
   refusedIn("unknown display field, nothing near", text({.display = R"({"thickness": 0.1})"}),
             "display.thickness: is not known here; known are position, orientation, size, hogels, "
-            "directions, fov, lens");
+            "directions, fov, lens, kind");
   refusedIn("unknown lightField field", text({.lightField = R"({"filename": "scene.png"})"}),
             "lightField.filename: is not known here; did you mean \"file\"?");
   refusedIn(
@@ -140,10 +140,10 @@ void TestBadJson::structure_data() {
             "cameras[0].psf.window: is not known here; known are sigma, windowSize, border, light");
   refusedIn("a line break in a key", text({.display = R"({"a\nb": 1})"}),
             "display.a\\x0ab: is not known here; known are position, orientation, size, hogels, "
-            "directions, fov, lens");
+            "directions, fov, lens, kind");
   refusedIn("an escape code in a key", text({.display = R"({"\u001b[31m": 1})"}),
             "display.\\x1b[31m: is not known here; known are position, orientation, size, hogels, "
-            "directions, fov, lens");
+            "directions, fov, lens, kind");
   refusedIn("display null", text({.display = "null"}),
             "display: null is not an object: { \"name\": value, … }");
   refusedIn("display a list", text({.display = "[]"}),

@@ -79,15 +79,15 @@ void TestSheetFile::readsFigures() {
 
 /// A lens is 1/50 inch wide, and its section along a row is longer by the slant.
 void TestSheetFile::figuresFollow() {
-  const LensSheet sheet({50, -6, 0.25, 254, {3840, 2160}, 40});
-  QCOMPARE(sheet.pixel, 1e-4);
-  QVERIFY(std::abs(sheet.size[0] - 0.384) < 1e-12 && std::abs(sheet.size[1] - 0.216) < 1e-12);
-  const double across = std::abs(sheet.period * std::cos(sheet.slant / 180 * M_PI));
+  const LensSheet sheet({.calibration = {.params = {50, -6, 0.25, 254, {3840, 2160}, 40}}});
+  QCOMPARE(sheet.pixel(), 1e-4);
+  QVERIFY(std::abs(sheet.size()[0] - 0.384) < 1e-12 && std::abs(sheet.size()[1] - 0.216) < 1e-12);
+  const double across = std::abs(sheet.period() * std::cos(sheet.slant() / 180 * M_PI));
   QVERIFY(std::abs(across - 0.0254 / 50) < 1e-12);
-  QVERIFY(std::abs(std::tan(sheet.slant / 180 * M_PI) + 1.0 / 6) < 1e-12);
-  QVERIFY(std::abs(sheet.lenses - 0.384 / sheet.period) < 1e-9);
+  QVERIFY(std::abs(std::tan(sheet.slant() / 180 * M_PI) - 1.0 / 6) < 1e-12);
+  QVERIFY(std::abs(sheet.lenses() - 0.384 / sheet.period()) < 1e-9);
   // A pixel at the lens's border leaves in the direction of the cone's border.
-  QVERIFY(std::abs(sheet.period / 2 / sheet.gap - std::tan(20 * M_PI / 180)) < 1e-12);
+  QVERIFY(std::abs(sheet.period() / 2 / sheet.gap() - std::tan(20 * M_PI / 180)) < 1e-12);
 }
 
 void TestSheetFile::realUnits_data() {
@@ -107,7 +107,7 @@ void TestSheetFile::realUnits() {
   if (!QFile::exists(file)) QSKIP("no ../shared/data/real_displays here");
   QVERIFY(isSheetCalibration(file.toStdString()));
   const SheetCalibration read = loadSheetCalibration(file.toStdString());
-  QVERIFY(std::abs(LensSheet(read.params).lenses - lenses) < 1e-3);
+  QVERIFY(std::abs(LensSheet({.calibration = read}).lenses() - lenses) < 1e-3);
   QCOMPARE(read.cells.size(), cells);
 }
 
@@ -129,13 +129,16 @@ void TestSheetFile::mistakes_data() {
   row(R"({"DPI": 0})", "dpi: …");
   row(R"({"flipImageX": {"value": 1.0}})",
       "flipImageX: is not 0: mirrored panels are not modelled");
-  row(R"({"subpixelCells": {}})", "subpixelCells: is not a list of 1 … 64 kinds of pixels");
+  row(R"({"subpixelCells": {}})", "subpixelCells: is not a list of kinds of pixels");
   row(R"({"subpixelCells": [3]})",
       "subpixelCells[0]: is not an object with ROffsetX and five others");
-  row(R"({"subpixelCells": [{"ROffsetX": 0}]})",
-      "subpixelCells[0].ROffsetY: is missing, or not a number of pixels, −1 … 1");
-  row(R"({"subpixelCells": [{"ROffsetX": 7}]})",
-      "subpixelCells[0].ROffsetX: is missing, or not a number of pixels, −1 … 1");
+  row(R"({"subpixelCells": [{"ROffsetX": 0}]})", "subpixelCells[0].ROffsetY: is missing");
+  row(R"({"subpixelCells": [{"ROffsetX": 7, "ROffsetY": 0, "GOffsetX": 0, "GOffsetY": 0,
+      "BOffsetX": 0, "BOffsetY": 0}]})",
+      "cells: has a place that is not −1 … 1 px");
+  row(R"({"subpixelCells": [{"ROffsetX": "0", "ROffsetY": 0, "GOffsetX": 0, "GOffsetY": 0,
+      "BOffsetX": 0, "BOffsetY": 0}]})",
+      "cells: has a place that is not −1 … 1 px");
 }
 
 void TestSheetFile::mistakes() {

@@ -34,6 +34,7 @@ PanelParams panelOf(const Session& session) {
 }
 
 int exportRig(const Session& session, const CommandLine& line) {
+  inFile(line.text("session"), [&] { requireHogels(session, "--export rig"); });
   keepSession(line, session);
   const fs::path output = line.text("output");
   const fs::path gltf = fs::path(output).replace_extension(".gltf");
@@ -76,15 +77,22 @@ int runExport(const CommandLine& line) {
   const Session session = loadSessionOf(line);
   if (line.subject == "rig") return exportRig(session, line);
   keepSession(line, session);
+  if (line.subject == "pack")
+    inFile(line.text("session"), [&] { requireHogels(session, "--export pack"); });
   if (line.has("for-twin") && line.subject == "pack")
     throw InputError("command line", "--for-twin",
                      "is not for a store: export hogels or views, then pack them");
   if (line.subject == "pack") return packContent(session, true, line);
   const auto isTo = [&line](const char* layout) { return line.subject == layout; };
   const bool isQuilt = isTo("quilt");
-  if (!isTo("hogels") && !isTo("views") && !isQuilt && !isTo("mosaic"))
-    throw InputError("--export", "\"" + line.subject +
-                                     "\" is not one of hogels, views, quilt, mosaic, pack, rig");
+  if (!isTo("hogels") && !isTo("views") && !isQuilt && !isTo("mosaic") && !isTo("woven"))
+    throw InputError(
+        "--export",
+        "\"" + line.subject + "\" is not one of hogels, views, quilt, mosaic, woven, pack, rig");
+  if (isTo("woven") != session.display.sheet.has_value())
+    throw InputError("--export " + line.subject,
+                     isTo("woven") ? "is for a lens sheet: a session with display.kind \"sheet\""
+                                   : "is for a display of hogels: give woven for a lens sheet");
   const fs::path output = line.text("output");
   const auto file = contentToExport(session, line);
   checkOutputs({output}, inputFiles({line.text("session")}, session, *file));
@@ -92,10 +100,10 @@ int runExport(const CommandLine& line) {
   if (isQuilt) tiles = quiltTilesFor(*file, output);
   makeFolderOf(output);
   ProgressBar bar("exporting", line.has("quiet"));
-  (isTo("hogels")  ? exportHogels
-   : isQuilt       ? exportQuilt
-   : isTo("views") ? exportViews
-                   : exportMosaic)(*file, output, bar.progress());
+  (isTo("hogels") || isTo("woven") ? exportHogels
+   : isQuilt                       ? exportQuilt
+   : isTo("views")                 ? exportViews
+                                   : exportMosaic)(*file, output, bar.progress());
   bar.done();
   if (line.has("quiet")) return 0;
   std::cout << printable(output.string()) << ": " << line.subject;

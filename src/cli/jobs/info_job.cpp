@@ -260,7 +260,7 @@ void printWords(std::ostream& out, bool isDocument, const OrderedSession& subjec
 void printSheet(std::ostream& out, const SheetCalibration& calibration,
                 const std::vector<std::string>& warnings) {
   const SheetParams& params = calibration.params;
-  const LensSheet sheet(params);
+  const LensSheet sheet({.calibration = calibration});
   const auto millimetres = [](double length) { return rounded(1000 * length, 4) + " mm"; };
   const bool isUpright = calibration.cells == SheetCalibration{}.cells;
   out << "lens sheet  "
@@ -268,19 +268,20 @@ void printSheet(std::ostream& out, const SheetCalibration& calibration,
                                      : printable(calibration.serial))
       << "\n"
       << "panel       " << params.panel[0] << "×" << params.panel[1] << " px of "
-      << millimetres(sheet.pixel) << ", " << rounded(sheet.size[0], 4) << "×"
-      << rounded(sheet.size[1], 4) << " m\n"
+      << millimetres(sheet.pixel()) << ", " << rounded(sheet.size()[0], 4) << "×"
+      << rounded(sheet.size()[1], 4) << " m\n"
       << "sub-pixels  "
       << (isUpright ? "upright stripes of red, green, blue"
                     : std::to_string(calibration.cells.size()) + " kind(s) of pixels, pattern " +
                           std::to_string(calibration.pattern))
       << "\n"
-      << "lenses      " << rounded(sheet.lenses, 2) << " across, " << millimetres(sheet.period)
-      << " (" << rounded(sheet.period / sheet.pixel, 3) << " px) apart along a row, "
-      << rounded(sheet.slant, 3) << "° from upright\n"
+      << "lenses      " << rounded(sheet.lenses(), 2) << " across, " << millimetres(sheet.period())
+      << " (" << rounded(sheet.period() / sheet.pixel(), 3) << " px) apart along a row, "
+      << rounded(std::abs(sheet.slant()), 3) << "° from upright, the top to the "
+      << (sheet.slant() > 0 ? "right" : "left") << "\n"
       << "cone        " << numberText(params.cone)
       << "°: " << rounded(2 * std::tan(radians(params.cone) / 2), 3)
-      << " m wide at 1 m; taken for the lenses', whose pixels are then " << millimetres(sheet.gap)
+      << " m wide at 1 m; taken for the lenses', whose pixels are then " << millimetres(sheet.gap())
       << " of air behind them\n";
   for (const std::string& warning : warnings) out << "warning     " << printable(warning) << "\n";
 }

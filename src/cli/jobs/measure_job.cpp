@@ -41,6 +41,7 @@ int runMeasure(const CommandLine& line) {
   MeasureRequest request;
   request.name = line.text("session");
   request.session = loadSelected(line);
+  inFile(line.text("session"), [&] { requireHogels(request.session, "--measure"); });
   request.display = displayToMeasure(request.session, {});
   request.output = line.text("output");
   request.shard = shardOf(line);

@@ -69,10 +69,10 @@ Plan plan(const RenderJob& job, const Display& display) {
       LensTable::bytes(job.state.camera.res, sampling.samplesPerPixel) <= LensTables::largestBytes;
   plan.hasLinearHogels = display.lens(0).isLinear() && display.lens(1).isLinear();
   plan.isBehind = isBehind(plan.aperture, job.state, display);
-  plan.movesRays = display.twin() != nullptr;
+  plan.movesRays = display.twin() != nullptr || display.sheet() != nullptr;
   plan.isSimpleTwin =
-      plan.movesRays && display.twin()->hasKernel() && !job.method.isSingle && isPinhole;
-  plan.splitsColours = plan.movesRays && display.twin()->splitsColours();
+      display.twin() != nullptr && display.twin()->hasKernel() && !job.method.isSingle && isPinhole;
+  plan.splitsColours = display.splitsColours();
   plan.changesLight = job.twin && job.twin->changesLight();
   plan.drivesTexels = job.twin && (job.twin->drivesTexels() || job.twin->hasDead());
   plan.knowsOutline = !plan.hasLens && !plan.movesRays && isPinhole &&

@@ -60,6 +60,25 @@ void checkMetrics(const std::vector<std::string>& names) {
   }
 }
 
+/// A lens sheet has its calibration's size and views of one row.
+void checkSheet(const Session& session) {
+  if (!session.display.sheet) return;
+  if (session.lightField.viewingDistance != notGiven)
+    throw InputError("lightField.viewingDistance",
+                     "is for a display of hogels: a lens sheet has display.viewingDistance");
+  if (session.lightField.layout != Layout::quilt)
+    throw InputError("lightField.layout", "must be \"quilt\" for a lens sheet");
+  if (!session.twin.isZero())
+    throw InputError("twin", "is for a display of hogels, not for a lens sheet");
+  if (session.sampling.reconstruction != Reconstruction::nearest)
+    throw InputError("sampling.reconstruction",
+                     "must be \"nearest\" for a lens sheet, whose pixels are not interpolated");
+  for (std::size_t index = 0; index < session.cameras.size(); ++index)
+    if (session.cameras[index].psf.windowSize > 1)
+      throw InputError(statePath(index) + ".psf.windowSize",
+                       "must be 1 for a lens sheet, whose pixels have no directions to leak into");
+}
+
 }  // namespace
 
 void check(const CameraState& state, const std::string& path) {
@@ -81,6 +100,7 @@ void check(const CameraState& state, const std::string& path) {
 }
 
 void checkLightField(const Session& session) {
+  checkSheet(session);
   const bool isLive = session.lightField.isLive();
   if (isLive && session.lightField.source.empty())
     throw InputError("lightField.source", "is missing: name what computes the content");
@@ -143,6 +163,11 @@ std::vector<std::string> warnings(const Session& session) {
                     (others == 0 ? "" : " and " + std::to_string(others) + " more") + ": " + what);
   }
   return lines;
+}
+
+void requireHogels(const Session& session, const char* job) {
+  if (session.display.sheet)
+    throw InputError("display.kind", std::string("is \"sheet\", which ") + job + " does not know");
 }
 
 PanelParams displayOf(const Session& session) {

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/base/error.h"
+#include "core/base/text.h"
 #include "core/light_field/light_field.h"
 #include "core/panel/twin.h"
 
@@ -70,6 +71,19 @@ std::optional<Vec2> idealPoint(const Distortion& distortion, LensMapping mapping
 void checkContent(const RenderJob& job) {
   if (!job.lightField) throw InputError("lightField", "is not loaded");
   (void)resolved(job.display, job.lightField->size());
+  if (job.display.sheet) {
+    const auto [width, height] = job.display.sheet->calibration.params.panel;
+    if (job.lightField->size() != LightFieldSize{width, height, 1, 1})
+      throw InputError("lightField", "is not the picture of the lens sheet's panel, " +
+                                         pairText(width, height) + " px");
+    if (job.twin) throw InputError("twin", "is for a display of hogels, not for a lens sheet");
+    if (job.state.psf.windowSize > 1)
+      throw InputError("psf.windowSize",
+                       "must be 1 for a lens sheet, whose pixels have no directions to leak into");
+    if (job.sampling.reconstruction != Reconstruction::nearest)
+      throw InputError("sampling.reconstruction",
+                       "must be \"nearest\" for a lens sheet, whose pixels are not interpolated");
+  }
   if (!job.twin) return;
   if (job.twin->size() != job.lightField->size())
     throw InputError("twin", "is of a display with other hogels or directions");
@@ -105,7 +119,7 @@ Simulation::Simulation(RenderJob job)
 /// Returns the hits of red, green and blue; none unless all see the display.
 std::optional<std::array<Hit, 3>> Simulation::hitsOf(const Vec2& ideal,
                                                      const RigidTransform& from) const {
-  const bool isSplit = m_display.twin() != nullptr && m_display.twin()->splitsColours();
+  const bool isSplit = m_display.splitsColours();
   const Vec3 direction = from.direction({ideal.x, ideal.y, 1});
   std::array<Hit, 3> hits;
   for (std::size_t channel = 0; channel < 3; ++channel) {
@@ -148,7 +162,7 @@ Rgb Simulation::reconstructed(const Hit& hit) const {
 
 /// Returns the light that a ray's pixels send.
 Rgb Simulation::sent(const std::array<Hit, 3>& hits) const {
-  const bool isSplit = m_display.twin() != nullptr && m_display.twin()->splitsColours();
+  const bool isSplit = m_display.splitsColours();
   Rgb light = reconstructed(hits[0]);
   if (isSplit) light = {light.r, reconstructed(hits[1]).g, reconstructed(hits[2]).b};
   return m_job.twin && m_job.twin->changesLight() ? m_job.twin->lit(hits, light) : light;

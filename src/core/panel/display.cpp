@@ -19,11 +19,13 @@ bool inside(double index, int count) {
 }  // namespace
 
 void describe(ParameterVisitor& v, DisplayParams& p) {
-  auto& [position, orientation, size, hogels, directions, fov, lens, lensSource, lensParams] = p;
+  auto& [position, orientation, size, hogels, directions, fov, lens, lensSource, lensParams,
+         sheet] = p;
   v.group("display", "The panel: where it stands, its hogels and their directional pixels.");
   v.field("position", position, {-1e6, 1e6, 0.01}, "m", "The panel's centre in the world.");
   v.field("orientation", orientation, {-360, 360, 1}, "°",
           "Rotations about x, y, z, applied y first, then x, then z.");
+  if (sheet) return describe(v, *sheet);
   v.field("size", size, {1e-6, 1e6, 0.01}, "m", "Width and height of the panel.");
   v.field("hogels", hogels, {1, 65536, 1, true, 1, 512}, "",
           "Columns and rows of hogels; may be left out where the light field's file says it.");
@@ -59,11 +61,16 @@ Display::Display(const PanelParams& params, std::shared_ptr<const Twin> twin)
       m_lenses{lensOf(params, 0), lensOf(params, 1)},
       m_convergence(params.viewingDistance > 0 ? 1 / params.viewingDistance : 0) {
   if (twin && twin->movesRays()) m_twin = std::move(twin);
+  if (params.sheet) m_sheet = std::make_shared<const LensSheet>(*params.sheet);
 }
 
 std::optional<Hit> Display::intersectPlane(const Vec3& eye, const Vec3& direction,
                                            std::size_t channel) const {
   if (m_twin) return m_twin->meet(eye, direction, channel);
+  if (m_sheet) {
+    const std::optional<SheetHit> met = m_sheet->meet(eye, direction, channel);
+    return met ? std::optional(Hit{met->column, met->row, 0.5, 0.5}) : std::nullopt;
+  }
   if (!(eye.z > 0 && direction.z < 0)) return std::nullopt;
   const double a = direction.x / direction.z;
   const double b = direction.y / direction.z;
@@ -86,6 +93,7 @@ PanelMap Display::mapFrom(const Vec3& eye) const {
   PanelMap map;
   map.count = {nx, ny, du, dv};
   map.twin = m_twin.get();
+  map.sheet = m_sheet.get();
   map.eye = eye;
   if (m_twin && m_twin->isAffine()) map.affine = m_twin->affineHits(eye);
   map.constant = {(eye.x / panel[0] + 0.5) * nx, (0.5 - eye.y / panel[1]) * ny,
@@ -102,6 +110,10 @@ PanelMap Display::mapFrom(const Vec3& eye) const {
   map.slope[2] *= across;
   map.slope[3] *= -down;
   return map;
+}
+
+bool Display::splitsColours() const {
+  return m_sheet || (m_twin && m_twin->splitsColours());
 }
 
 bool Display::isOnPanel(const Hit& place) const {

@@ -9,6 +9,7 @@
 #include "core/base/parameters.h"
 #include "core/light_field/light_field_source.h"
 #include "core/panel/hogel_lens.h"
+#include "core/panel/lens_sheet.h"
 #include "core/panel/panel_map.h"
 
 namespace hogelscope {
@@ -24,6 +25,7 @@ struct DisplayParams {
   HogelLensModel lens = HogelLensModel::rectilinear;
   std::string lensSource;  ///< the name of the lens plugin
   LensParams lensParams;
+  std::optional<SheetDisplay> sheet;  ///< display.kind "sheet"; none: of hogels
   bool operator==(const DisplayParams&) const = default;
 };
 
@@ -76,6 +78,10 @@ class Display {
   [[nodiscard]] const RigidTransform& displayFromWorld() const { return m_displayFromWorld; }
   /// Null for a display as designed.
   [[nodiscard]] const Twin* twin() const { return m_twin.get(); }
+  /// Null for a display of hogels.
+  [[nodiscard]] const LensSheet* sheet() const { return m_sheet.get(); }
+  /// Whether red, green and blue of a ray meet different pixels.
+  [[nodiscard]] bool splitsColours() const;
   /// Returns the hogels' lens across (axis 0, u) or down (axis 1, v).
   [[nodiscard]] const HogelLens& lens(std::size_t axis) const { return *m_lenses[axis]; }
 
@@ -117,7 +123,8 @@ class Display {
   RigidTransform m_displayFromWorld;
   std::array<std::shared_ptr<const HogelLens>, 2> m_lenses;
   double m_convergence;
-  std::shared_ptr<const Twin> m_twin;  ///< only if it moves rays
+  std::shared_ptr<const Twin> m_twin;
+  std::shared_ptr<const LensSheet> m_sheet;  ///< only if it moves rays
 };
 
 }  // namespace hogelscope

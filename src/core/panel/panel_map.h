@@ -9,6 +9,7 @@
 
 namespace hogelscope {
 
+class LensSheet;
 class Twin;
 
 /// Gives what rays of slopes a, b from one eye meet of an affine twin (Twin::isAffine), before its
@@ -33,6 +34,8 @@ struct PanelMap {
   std::array<const HogelLens*, 2> lenses{};
   /// The unit that rays meet instead, in the same way as Twin::meet(); null: the design.
   const Twin* twin = nullptr;
+  /// The sheet that rays meet instead (LensSheet::meet); null: none.
+  const LensSheet* sheet = nullptr;
   Vec3 eye;             ///< in the display frame, metres
   AffineHits affine{};  ///< of a twin that is affine
 };

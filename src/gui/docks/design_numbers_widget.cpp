@@ -106,6 +106,7 @@ DesignNumbers DesignNumbersWidget::numbers() const {
 }
 
 void DesignNumbersWidget::showNumbers() {
+  setHidden(m_model->session().display.sheet.has_value());  // they are of hogels
   const Tokens& t = tokens();
   const DesignNumbers n = m_bar->numbers = numbers();
   m_bar->update();

@@ -8,6 +8,7 @@
 #include "core/base/text.h"
 #include "core/cameras/state_list_edits.h"
 #include "io/documents/light_field_params.h"
+#include "io/documents/sheet_file.h"
 #include "io/documents/twin_file.h"
 #include "io/files/atomic_file.h"
 #include "io/files/folders.h"
@@ -190,17 +191,25 @@ void changeFiles(Session& session, const Change& change) {
   for (std::string* const own : session.twin.maps.files()) *own = change(*own);
   if (!session.twinFile.empty()) session.twinFile = change(session.twinFile);
   session.display.lensParams.changeFiles(change);
+  if (session.display.sheet && !session.display.sheet->file.empty())
+    session.display.sheet->file = change(session.display.sheet->file);
 }
 
-/// Reads a document with overrides. A twin's own document is kept unless it is overridden.
+/// Reads a document with overrides. The documents of a twin and of a lens sheet are kept unless
+/// they are overridden.
 Session readOverridden(Json& document, const std::vector<std::string>& overrides,
                        const fs::path& folder) {
   const std::string twinFile = embedTwin(document, folder);
+  const std::string sheetFile = embedSheet(document, folder);
   for (const std::string& change : overrides) applyOverride(document, change);
   Session session = readSession(document);
-  const bool isSame = std::ranges::none_of(
-      overrides, [](const std::string& change) { return change.starts_with("twin."); });
-  if (isSame) session.twinFile = twinFile;
+  const auto isSame = [&](const char* section) {
+    return std::ranges::none_of(
+        overrides, [&](const std::string& change) { return change.starts_with(section); });
+  };
+  if (isSame("twin.")) session.twinFile = twinFile;
+  if (session.display.sheet && isSame("display.calibration"))
+    session.display.sheet->file = sheetFile;
   return session;
 }
 

@@ -7,7 +7,7 @@
 
 #include "core/base/error.h"
 #include "io/files/atomic_file.h"
-#include "io/json/json_parameters.h"
+#include "io/plugins/display_json.h"
 
 namespace hogelscope {
 
@@ -54,61 +54,49 @@ int wholeNumber(double number, const char* key) {
   return static_cast<int>(number);
 }
 
-SubPixels subPixelsOf(const Json& cell, const std::string& path) {
-  constexpr std::array<std::array<const char*, 2>, 3> keys{
-      {{"ROffsetX", "ROffsetY"}, {"GOffsetX", "GOffsetY"}, {"BOffsetX", "BOffsetY"}}};
+/// Returns [[x, y], [x, y], [x, y]] of a vendor's kind of pixel.
+Json subPixelsOf(const Json& cell, const std::string& path) {
   if (!cell.is_object()) throw InputError(path, "is not an object with ROffsetX and five others");
-  SubPixels places{};
-  for (std::size_t channel = 0; channel < 3; ++channel)
-    for (std::size_t axis = 0; axis < 2; ++axis) {
-      const char* key = keys[channel][axis];
-      const auto found = cell.find(key);
-      if (found == cell.end() || !found->is_number() || !(std::abs(found->get<double>()) <= 1))
-        throw InputError(path + "." + key, "is missing, or not a number of pixels, −1 … 1");
-      places[channel][axis] = found->get<double>();
-    }
+  Json places = Json::array();
+  for (const auto& [x, y] : {std::pair("ROffsetX", "ROffsetY"), std::pair("GOffsetX", "GOffsetY"),
+                             std::pair("BOffsetX", "BOffsetY")}) {
+    for (const char* key : {x, y})
+      if (!cell.contains(key)) throw InputError(path + "." + key, "is missing");
+    places.push_back({cell[x], cell[y]});
+  }
   return places;
 }
 
-void readCells(const Json& document, SheetCalibration& calibration) {
-  const auto cells = document.find("subpixelCells");
-  if (cells == document.end() || (cells->is_array() && cells->empty())) return;
-  constexpr std::size_t most = 64;
-  if (!cells->is_array() || cells->size() > most)
-    throw InputError("subpixelCells", "is not a list of 1 … 64 kinds of pixels");
-  calibration.cells.clear();
-  for (std::size_t k = 0; k < cells->size(); ++k)
-    calibration.cells.push_back(
-        subPixelsOf((*cells)[k], "subpixelCells[" + std::to_string(k) + "]"));
-  calibration.pattern =
-      wholeNumber(sheetNumber(document, "CellPatternMode").value_or(0), "CellPatternMode");
-  if (calibration.pattern < 0 || calibration.pattern > 4)
-    throw InputError("CellPatternMode",
-                     std::to_string(calibration.pattern) + " is not one of 0, 1, 2, 3, 4");
-}
-
-SheetCalibration calibrationOf(const Json& document, std::vector<std::string>* warnings) {
-  SheetCalibration calibration;
+/// Returns the object that readSheet() reads.
+Json figuresOf(const Json& document) {
   const auto panelOf = [&](const char* key) {
     return wholeNumber(neededNumber(document, key), key);
   };
-  const Json fields{{"pitch", neededNumber(document, "pitch")},
-                    {"slope", neededNumber(document, "slope")},
-                    {"center", neededNumber(document, "center")},
-                    {"dpi", neededNumber(document, "DPI")},
-                    {"panel", {panelOf("screenW"), panelOf("screenH")}},
-                    {"cone", neededNumber(document, "viewCone")}};
-  JsonReader reader(fields, "");
-  describe(reader, calibration.params);
-  check(calibration.params);
+  Json figures{{"pitch", neededNumber(document, "pitch")},
+               {"slope", neededNumber(document, "slope")},
+               {"center", neededNumber(document, "center")},
+               {"dpi", neededNumber(document, "DPI")},
+               {"panel", {panelOf("screenW"), panelOf("screenH")}},
+               {"cone", neededNumber(document, "viewCone")}};
+  if (const auto serial = document.find("serial"); serial != document.end())
+    figures["serial"] = *serial;
+  const auto cells = document.find("subpixelCells");
+  if (cells == document.end() || (cells->is_array() && cells->empty())) return figures;
+  if (!cells->is_array()) throw InputError("subpixelCells", "is not a list of kinds of pixels");
+  for (std::size_t k = 0; k < cells->size(); ++k)
+    figures["cells"].push_back(
+        subPixelsOf((*cells)[k], "subpixelCells[" + std::to_string(k) + "]"));
+  figures["pattern"] =
+      wholeNumber(sheetNumber(document, "CellPatternMode").value_or(0), "CellPatternMode");
+  return figures;
+}
+
+SheetCalibration calibrationOf(const Json& document, std::vector<std::string>* warnings) {
   if (sheetNumber(document, "flipImageX").value_or(0) != 0)
     throw InputError("flipImageX", "is not 0: mirrored panels are not modelled");
-  if (const auto serial = document.find("serial"); serial != document.end() && serial->is_string())
-    calibration.serial = serial->get<std::string>();
-  readCells(document, calibration);
   if (warnings != nullptr && sheetNumber(document, "invView").value_or(1) == 0)
     warnings->push_back("invView is 0, which is ignored: views go from left to right");
-  return calibration;
+  return readSheet(figuresOf(document), "");
 }
 
 }  // namespace
@@ -133,6 +121,17 @@ bool isSheetCalibration(const std::filesystem::path& file) {
 SheetCalibration loadSheetCalibration(const std::filesystem::path& file,
                                       std::vector<std::string>* warnings) {
   return inFile(file.string(), [&] { return calibrationOf(sheetDocument(file), warnings); });
+}
+
+std::string embedSheet(Json& session, const std::filesystem::path& folder) {
+  if (!session.is_object()) return {};
+  const auto display = session.find("display");
+  if (display == session.end() || !display->is_object()) return {};
+  const auto given = display->find("calibration");
+  if (given == display->end() || !given->is_string()) return {};
+  std::string name = given->get<std::string>();
+  *given = writtenSheet(loadSheetCalibration(folder / name));
+  return name;
 }
 
 }  // namespace hogelscope

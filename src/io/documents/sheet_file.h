@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/panel/lens_sheet.h"
+#include "io/json/json_parameters.h"
 
 namespace hogelscope {
 
@@ -19,5 +20,9 @@ bool isSheetCalibration(const std::filesystem::path& file);
 /// (flipImageX).
 SheetCalibration loadSheetCalibration(const std::filesystem::path& file,
                                       std::vector<std::string>* warnings = nullptr);
+
+/// Puts the calibration that a display names as a file into a session's document. Returns the name,
+/// or "". Throws InputError.
+std::string embedSheet(Json& session, const std::filesystem::path& folder);
 
 }  // namespace hogelscope

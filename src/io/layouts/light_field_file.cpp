@@ -51,4 +51,21 @@ LightField blankLightField(const LightFieldSize& size, StoredType type, const fs
   }
 }
 
+LightField LightFieldFile::readStreamed(const std::filesystem::path& file, const std::string& hint,
+                                        const Progress& progress) {
+  LightField lightField = blankLightField(size(), type(), file, hint);
+  const auto [nx, ny, du, dv] = size();
+  stream(
+      [&, nx = nx, du = du](int j, int v, const StoredRows& row) {
+        std::visit(
+            [&](const auto* rgb) {
+              for (int i = 0; i < nx; ++i)
+                for (int u = 0; u < du; ++u, rgb += 3) lightField.set({i, j, u, v}, rgb);
+            },
+            row);
+      },
+      progress);
+  return lightField;
+}
+
 }  // namespace hogelscope

@@ -56,6 +56,11 @@ class LightFieldFile {
   /// any order. If isStream() is false, it uses half of allowedMemory(), and may read more than
   /// once. Throws InputError, or Cancelled.
   virtual void stream(const HogelRow& row, const Progress& progress) = 0;
+
+ protected:
+  /// Reads the light field by stream(). `file` and `hint` are for blankLightField().
+  [[nodiscard]] LightField readStreamed(const std::filesystem::path& file, const std::string& hint,
+                                        const Progress& progress);
 };
 
 /// Whether the whole light field takes at most `memory` bytes.

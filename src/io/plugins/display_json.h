@@ -15,6 +15,11 @@ LensParams lensParamsOf(const std::string& source);
 /// their defaults. Throws InputError if there is no such plugin or its lens cannot be opened.
 DisplayParams withLensParams(const DisplayParams& before, DisplayParams after);
 
+/// Reads the object `calibration` of a display: the figures, `serial`, `cells` and `pattern`.
+/// Throws InputError with `path`.
+SheetCalibration readSheet(const Json& object, const std::string& path);
+Json writtenSheet(const SheetCalibration& calibration);
+
 /// Reads the object `display`. Throws InputError with the path of the field.
 DisplayParams readDisplay(const Json& object);
 

@@ -158,19 +158,7 @@ std::shared_ptr<const LightFieldSource> LiveFile::source(const SourceUse& use,
 }
 
 LightField LiveFile::read(const Progress& progress) {
-  LightField lightField = blankLightField(size(), type(), m_params.source, packIt);
-  const auto [nx, ny, du, dv] = size();
-  stream(
-      [&, nx = nx, du = du](int j, int v, const StoredRows& row) {
-        std::visit(
-            [&](const auto* rgb) {
-              for (int i = 0; i < nx; ++i)
-                for (int u = 0; u < du; ++u, rgb += 3) lightField.set({i, j, u, v}, rgb);
-            },
-            row);
-      },
-      progress);
-  return lightField;
+  return readStreamed(m_params.source, packIt, progress);
 }
 
 void LiveFile::stream(const HogelRow& row, const Progress& progress) {

@@ -38,19 +38,7 @@ TwinContent::TwinContent(std::shared_ptr<LightFieldFile> content, bool isLive,
       m_leastGain(m_twin->leastGain()) {}
 
 LightField TwinContent::read(const Progress& progress) {
-  LightField lightField = blankLightField(size(), type(), files().empty() ? "" : files().front());
-  const auto [nx, ny, du, dv] = size();
-  stream(
-      [&, nx = nx, du = du](int j, int v, const StoredRows& row) {
-        std::visit(
-            [&](const auto* rgb) {
-              for (int i = 0; i < nx; ++i)
-                for (int u = 0; u < du; ++u, rgb += 3) lightField.set({i, j, u, v}, rgb);
-            },
-            row);
-      },
-      progress);
-  return lightField;
+  return readStreamed(files().empty() ? "" : files().front(), "", progress);
 }
 
 /// Returns the light along rays: of the scene, or of the texels of the design that send it.

@@ -8,6 +8,7 @@
 #include "io/files/folders.h"
 #include "io/plugins/plugin_library.h"
 #include "io/scene/live_file.h"
+#include "io/scene/woven_file.h"
 #include "io/store/light_field_store.h"
 #include "io/twin/twin_maps.h"
 
@@ -74,7 +75,9 @@ std::unique_ptr<LightFieldFile> openLightField(const LightFieldParams& params,
   if (params.layout == Layout::hogels && LightFieldStore::isStore(params.file))
     throw InputError(params.file, "lightField.layout",
                      "is \"hogels\", but the file is a store: give \"pack\"");
-  return typeOf(params.layout).open(params, display, progress);
+  auto file = typeOf(params.layout).open(params, display, progress);
+  if (display.sheet) return std::make_unique<WovenFile>(std::move(file), LensSheet(*display.sheet));
+  return file;
 }
 
 bool readTheSame(const Session& a, const Session& b) {
@@ -83,8 +86,9 @@ bool readTheSame(const Session& a, const Session& b) {
   const bool haveSameRays = ours.size == others.size && ours.fov == others.fov &&
                             ours.lens == others.lens && ours.lensSource == others.lensSource &&
                             ours.lensParams == others.lensParams;
-  return a.lightField == b.lightField && ours.hogels == others.hogels &&
-         ours.directions == others.directions && (haveSameRays || !a.lightField.isLive());
+  return a.lightField == b.lightField && ours.sheet == others.sheet &&
+         ours.hogels == others.hogels && ours.directions == others.directions &&
+         (haveSameRays || !a.lightField.isLive());
 }
 
 std::shared_ptr<const Twin> twinOf(const TwinParams& params, const PanelParams& display,

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The picture of a lens sheet's panel, woven of views.
+#pragma once
+
+#include "core/panel/lens_sheet.h"
+#include "io/layouts/light_field_file.h"
+
+namespace hogelscope {
+
+/// A light field whose hogels are the panel's pixels, with one direction: each sub-pixel has the
+/// view that it shows (LensSheet::viewOf), at the pixel's middle.
+class WovenFile : public LightFieldFile {
+ public:
+  /// `views` has one row of views. Throws InputError for others.
+  WovenFile(std::unique_ptr<LightFieldFile> views, LensSheet sheet);
+
+  [[nodiscard]] LightFieldSize size() const override;
+  [[nodiscard]] std::vector<std::filesystem::path> files() const override {
+    return m_views->files();
+  }
+  [[nodiscard]] StoredType type() const override { return m_views->type(); }
+  [[nodiscard]] int bits() const override { return m_views->bits(); }
+  [[nodiscard]] std::vector<std::string> warnings() const override { return m_views->warnings(); }
+  [[nodiscard]] LightField read(const Progress& progress) override;
+  void stream(const HogelRow& row, const Progress& progress) override;
+
+ private:
+  std::unique_ptr<LightFieldFile> m_views;
+  LensSheet m_sheet;
+};
+
+}  // namespace hogelscope
