@@ -119,7 +119,9 @@ void keepSession(const CommandLine& line, const Session& session) {
   if (!isSessionFile(file))
     throw InputError("--save-session " + file,
                      "cannot be written: a session's name ends in .hogelscope or .json");
-  checkOutputs({file}, {contentName(session.lightField)});
+  std::vector<std::filesystem::path> inputs = displayFiles(session);
+  inputs.emplace_back(contentName(session.lightField));
+  checkOutputs({file}, inputs);
   makeFolderOf(file);
   saveSession(file, session);
 }

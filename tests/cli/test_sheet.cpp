@@ -170,6 +170,8 @@ void TestSheet::mistakes_data() {
       "s.json: display.kind: is \"sheet\", which --measure does not know");
   row({"--export", "pack", "--session", "s.json", "--output", "out.tif"}, session(),
       "s.json: display.kind: is \"sheet\", which --export pack does not know");
+  row(render + QStringList{"--save-session", "visual.json"}, session(),
+      "visual.json: cannot be written: it is visual.json, which is read: choose another name");
   row({"--export", "views", "--session", "s.json", "--output", "out"}, session(),
       "--export views: is for a display of hogels: give woven for a lens sheet");
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the loops of row_kernels.cpp and twin_kernels.cpp have in common: rays in strips, their
-// indices and texels.
+// The loops of row_kernels.cpp and twin_kernels.cpp share this: rays in strips, their indices and
+// texels.
 #pragma once
 
 #include <algorithm>

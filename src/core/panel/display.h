@@ -123,8 +123,8 @@ class Display {
   RigidTransform m_displayFromWorld;
   std::array<std::shared_ptr<const HogelLens>, 2> m_lenses;
   double m_convergence;
-  std::shared_ptr<const Twin> m_twin;
-  std::shared_ptr<const LensSheet> m_sheet;  ///< only if it moves rays
+  std::shared_ptr<const Twin> m_twin;  ///< only if it moves rays
+  std::shared_ptr<const LensSheet> m_sheet;
 };
 
 }  // namespace hogelscope

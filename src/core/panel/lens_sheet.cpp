@@ -43,7 +43,7 @@ void describe(ParameterVisitor& v, SheetDisplay& p) {
   v.field("viewingDistance", viewingDistance, {1e-3, 1e6, 0.01}, "m",
           "Where all lenses of the sheet show the same view.");
   v.field("emitter", emitter, {0.01, 1, 0.01}, "px",
-          "Width and height of a sub-pixel that gives light.");
+          "Width and height of a sub-pixel that gives light; only the width has an effect.");
 }
 
 LensSheet::LensSheet(const SheetDisplay& display)

@@ -47,12 +47,13 @@ struct SheetDisplay {
   SheetCalibration calibration;
   std::string file{};            ///< the document that names it, which must say the same; "": none
   double viewingDistance = 0.6;  ///< where all lenses show the same view, metres
-  std::array<double, 2> emitter{1.0 / 3, 1.0};  ///< width and height of a sub-pixel, px
+  std::array<double, 2> emitter{
+      1.0 / 3, 1.0};  ///< width and height of a sub-pixel, px; meet() uses the width
   bool operator==(const SheetDisplay&) const = default;
 };
 void describe(ParameterVisitor& v, SheetDisplay& p);
 
-/// Where a ray meets the panel: column from the left, row from the top, both maybe beside it.
+/// Tells where a ray meets the panel: column from the left, row from the top, both maybe beside it.
 struct SheetHit {
   double column;
   double row;

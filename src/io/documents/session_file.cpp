@@ -332,6 +332,8 @@ std::vector<fs::path> displayFiles(const Session& session) {
   const std::vector<std::string> lens = session.display.lensParams.files();
   std::vector<fs::path> files(lens.begin(), lens.end());
   if (!session.twinFile.empty()) files.emplace_back(session.twinFile);
+  if (session.display.sheet && !session.display.sheet->file.empty())
+    files.emplace_back(session.display.sheet->file);
   TwinMapFiles maps = session.twin.maps;
   for (const std::string* const file : maps.files()) files.emplace_back(*file);
   return files;
