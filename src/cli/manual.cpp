@@ -93,6 +93,13 @@ std::string lightFieldTables() {
          tableOf(Layout::live, "lightField, layout live");
 }
 
+std::string sheetTables() {
+  DisplayParams display;
+  display.sheet.emplace();
+  return table(display, "display, kind sheet") +
+         table<SheetParams>({}, "display.calibration and lightField.calibration, of a lens sheet");
+}
+
 std::string twinTables() {
   return table<LensArrayErrors>() + table<ColourErrors>() + table<LeakageErrors>() +
          table<LightErrors>() + table<TwinRandom>() + table<RandomShift>() + table<RandomGain>() +
@@ -108,7 +115,7 @@ std::string parameterManual() {
          "and `psf`\nthen go to every state. "
          "In a session document `camera`'s fields stand in the state itself, beside its\n"
          "`intrinsics`, `pupil`, `stereo`, `distortion` and `psf`.\n\n" +
-         table<DisplayParams>() + twinTables() + lightFieldTables() +
+         table<DisplayParams>() + sheetTables() + twinTables() + lightFieldTables() +
          table<LiveParams>({}, "lightField, layout live: the object of the source's name") +
          table<SamplingParams>() + table<DepthParams>() + table<CameraParams>() +
          table<IntrinsicsParams>() + table<PupilParams>() + table<StereoParams>() +

@@ -46,6 +46,11 @@ class TestSheet : public QObject {
   void panelIsWoven();
   void sessionKeepsItsCalibration();
   void reports();
+  void wrongCalibration();
+  void wovenPictures();
+  void liveScenes();
+  void spots();
+  void unitsAgainstTheDesign();
   void mistakes_data();
   void mistakes();
 
@@ -135,6 +140,134 @@ void TestSheet::reports() {
   QCOMPARE(table[1][table[0].indexOf("mse")].toDouble(), 0.0);
 }
 
+/// A panel that is woven for another center than that of the lenses: a share of the period aside,
+/// each eye sees as large a share of the views aside.
+void TestSheet::wrongCalibration() {
+  const auto viewSeen = [&](const QString& set) {
+    const Outcome outcome = program({"--render", "--session", "s.json", "--output", "out",
+                                     "--states", "2", "--set", set, "--save-session", "kept.json"});
+    if (outcome.status != 0) qFatal("%s", outcome.err.constData());
+    const QRgb colour = QImage("out/2.png").pixel(40, 30);
+    return qRed(colour) / 40;
+  };
+  QCOMPARE(viewSeen("lightField.calibration.center=0.1"), 2);
+  // One view of six; a smaller center is a larger phase, and that is a view on the left.
+  QCOMPARE(viewSeen("lightField.calibration.center=" + QString::number(0.1 + 1.0 / views)), 3);
+  QCOMPARE(viewSeen("lightField.calibration.center=" + QString::number(0.1 - 2.0 / views)), 0);
+  // The session keeps the panel's own figures, and the display's are its document's.
+  const QByteArray kept = contentOf("kept.json");
+  QVERIFY(kept.contains("\"calibration\": \"visual.json\""));
+  QVERIFY(kept.contains("\"pitch\": 5.0"));
+  QCOMPARE(
+      program({"--render", "--session", "kept.json", "--output", "again", "--states", "2"}).status,
+      0);
+  QCOMPARE(contentOf("again/2.png"), contentOf("out/2.png"));
+  // A document of its own.
+  QVERIFY(QDir().mkpath("sub"));
+  writeFile("other.json", QByteArray(calibration).replace("0.1", "0.26666667"));
+  writeFile("s.json", session().replace(R"("lightField": {)",
+                                        R"("lightField": {"calibration": "other.json", )"));
+  QCOMPARE(program({"--render", "--session", "s.json", "--output", "out", "--states", "2",
+                    "--save-session", "sub/own.json"})
+               .status,
+           0);
+  QCOMPARE(qRed(QImage("out/2.png").pixel(40, 30)), 120);
+  QVERIFY(contentOf("sub/own.json").contains("\"calibration\": \"../other.json\""));
+}
+
+/// The picture that --export woven writes is content, too: it is seen as the quilt is.
+void TestSheet::wovenPictures() {
+  QCOMPARE(program({"--export", "woven", "--session", "s.json", "--output", "panel.png"}).status,
+           0);
+  QCOMPARE(program({"--render", "--session", "s.json", "--output", "a"}).status, 0);
+  writeFile("w.json", session(R"("calibration": "visual.json")", "", "woven")
+                          .replace("q_qs6x1a1.5.png", "panel.png"));
+  QCOMPARE(program({"--render", "--session", "w.json", "--output", "b"}).err, QByteArray());
+  for (int k = 0; k < views; ++k)
+    QCOMPARE(contentOf(QString("b/%1.png").arg(k)), contentOf(QString("a/%1.png").arg(k)));
+  QCOMPARE(program({"--export", "woven", "--session", "w.json", "--output", "c.png"}).status, 0);
+  QVERIFY(QImage("c.png") == QImage("panel.png"));
+}
+
+/// From the middle of a view an eye sees what it would see of the scene itself, but for the
+/// panel's pixels.
+void TestSheet::liveScenes() {
+  const QByteArray live =
+      QByteArray(R"({"hogelscope": 1, "display": {"kind": "sheet", "calibration": {"pitch": 30,
+        "slope": -6, "center": 0.1, "cone": 40, "dpi": 200, "panel": [960, 640]},
+        "hogels": [320, 213], "directions": [24, 1]},
+      "lightField": {"layout": "live", "source": "scene", "scene": {"fill": [0.5, 0.5]}},
+      "cameras": [)") +
+      R"({"name": "left", "eye": [-0.163789, 0, 0.6], "fov": 10, "res": [200, 150]},
+         {"name": "right", "eye": [0.163789, 0, 0.6], "fov": 10, "res": [200, 150]}]})";
+  writeFile("live.json", live);
+  QCOMPARE(program({"--render", "--session", "live.json", "--output", "a"}).err, QByteArray());
+  QCOMPARE(program({"--render", "--session", "live.json", "--output", "b", "--ideal"}).err,
+           QByteArray());
+  const auto differenceOf = [](const QString& one, const QString& other) {
+    const QImage a(one);
+    const QImage b(other);
+    double sum = 0;
+    for (int y = 0; y < a.height(); ++y)
+      for (int x = 0; x < a.width(); ++x)
+        sum += std::abs(qGreen(a.pixel(x, y)) - qGreen(b.pixel(x, y)));
+    return sum / (a.width() * a.height());
+  };
+  const double own = differenceOf("a/left.png", "b/left.png");
+  const double other = differenceOf("a/right.png", "b/right.png");
+  const double crossed = differenceOf("a/left.png", "b/right.png");
+  const QByteArray all = QByteArray::number(own) + ", " + QByteArray::number(other) + ", crossed " +
+                         QByteArray::number(crossed);
+  QVERIFY2(own < 16 && other < 16, all);
+  QVERIFY2(crossed > 2 * std::max(own, other), all);
+}
+
+/// With a spot as wide as the lenses' period an eye sees the mean of all views.
+void TestSheet::spots() {
+  QCOMPARE(program({"--render", "--session", "s.json", "--output", "out", "--set",
+                    "display.spot=0.001", "--set", "psf.light=linear"})
+               .err,
+           QByteArray());
+  QCOMPARE(
+      program({"--render", "--session", "s.json", "--output", "none", "--set", "display.spot=0"})
+          .err,
+      QByteArray());
+  const int second = qGreen(QImage("out/1.png").pixel(40, 30));
+  const int last = qGreen(QImage("out/5.png").pixel(40, 30));
+  QCOMPARE(qGreen(QImage("none/1.png").pixel(40, 30)), 40);
+  QVERIFY2(second > 60 && second < 140, QByteArray::number(second));
+  QVERIFY2(last < 180, QByteArray::number(last));
+}
+
+/// A sheet that is mounted a sixth of a period aside shows the next view.
+void TestSheet::unitsAgainstTheDesign() {
+  const double period = 0.0254 / 5 / std::cos(std::atan(1.0 / 6));
+  const double gap = period / (2 * tangent);
+  const double lens = period / (1 + gap / distance);
+  writeFile("unit.json",
+            R"({"lensArray": {"offset": [)" + QByteArray::number(lens / views, 'g', 9) + ", 0]}}");
+  QCOMPARE(program({"--render", "--session", "s.json", "--twin", "unit.json", "--output", "out",
+                    "--states", "2"})
+               .err,
+           QByteArray());
+  QCOMPARE(qRed(QImage("out/2.png").pixel(40, 30)), 40);
+  QCOMPARE(program({"--report", "--session", "s.json", "--twin", "unit.json", "--against", "design",
+                    "--output", "report", "--quiet"})
+               .status,
+           0);
+  const auto table = tableOf("report/report.csv");
+  QCOMPARE(table.size(), views + 1);
+  QVERIFY(table[1][table[0].indexOf("mse")].toDouble() > 100);
+  // The unit itself is not mended by moving the sheet by a whole period.
+  writeFile("unit.json",
+            R"({"lensArray": {"offset": [)" + QByteArray::number(lens, 'g', 12) + ", 0]}}");
+  QCOMPARE(program({"--render", "--session", "s.json", "--twin", "unit.json", "--output", "out",
+                    "--states", "2"})
+               .status,
+           0);
+  QCOMPARE(qRed(QImage("out/2.png").pixel(40, 30)), 80);
+}
+
 void TestSheet::mistakes_data() {
   QTest::addColumn<QStringList>("arguments");
   QTest::addColumn<QByteArray>("document");
@@ -157,9 +290,38 @@ void TestSheet::mistakes_data() {
   row(render, session(own).replace("\"sheet\"", "\"sheep\""),
       "s.json: display.kind: \"sheep\" is not one of \"hogels\", \"sheet\"");
   row(render, session(own, "", "hogels"),
-      "s.json: lightField.layout: must be \"quilt\" for a lens sheet");
+      "s.json: lightField.layout: must be \"quilt\", \"woven\" or \"live\" for a lens sheet");
+  row(render, session(own, "", "woven"),
+      "q_qs6x1a1.5.png: size: is 180×20 px, but the lens sheet's panel has 180×120");
+  row(render + QStringList{"--set", "lightField.calibration.panel=[100,100]"}, session(),
+      "s.json: lightField.calibration.panel: is not the display's, 180×120 px");
+  row(render + QStringList{"--set", "lightField.calibration.slope=0"}, session(),
+      "s.json: lightField.calibration.slope: is 0: …");
+  row(render + QStringList{"--set", "lightField.calibration.center=0"}, session(own, "", "woven"),
+      "s.json: lightField.calibration: is for views: the panel's picture is woven already");
+  row(render,
+      session()
+          .replace(R"("display": {"kind": "sheet", "calibration": "visual.json"}, )", "")
+          .replace("{\"file\"", "{\"calibration\": \"visual.json\", \"file\""),
+      "s.json: lightField.calibration: is for a lens sheet: a display of kind \"sheet\"");
+  row(render,
+      session()
+          .replace(R"("display": {"kind": "sheet", "calibration": "visual.json"}, )", "")
+          .replace("\"quilt\"", "\"woven\""),
+      "s.json: lightField.layout: is \"woven\", …");
+  row(render, session(own + R"(, "hogels": [30, 20], "directions": [6, 1])"),
+      "s.json: display.hogels: is of a live scene's views: for a lens sheet the file says it");
+  row(render,
+      session(own + R"(, "hogels": [30, 20], "directions": [6, 2])")
+          .replace(R"("file": "q_qs6x1a1.5.png", "layout": "quilt")",
+                   R"("layout": "live", "source": "scene")"),
+      "s.json: display.directions: must be one row of views for a lens sheet: [6, 1]");
+  row(render,
+      session(own).replace(R"("file": "q_qs6x1a1.5.png", "layout": "quilt")",
+                           R"("layout": "live", "source": "scene")"),
+      "s.json: display.hogels: is missing: a scene does not say it");
   row(render, session(own, R"("twin": {"light": {"bits": 6}}, )"),
-      "s.json: twin: is for a display of hogels, not for a lens sheet");
+      "s.json: twin: has errors that a lens sheet cannot have: …");
   row(render, session(own, R"("sampling": {"reconstruction": "bilinear"}, )"),
       "s.json: sampling.reconstruction: must be \"nearest\" for a lens sheet, whose pixels are not "
       "interpolated");

@@ -83,7 +83,7 @@ void TestBadSessions::types_data() {
             "display.lens: \"fisheye\" is not one of rectilinear, equiangular, plugin");
   refusedIn("unknown layout", text({.lightField = R"({"file": "scene.png", "layout": "tiles"})"}),
             "lightField.layout: \"tiles\" is not one of hogels, views, quilt, mosaic, lenslets, "
-            "pack, live");
+            "pack, live, woven");
   refusedIn("unknown border", state(R"("psf": {"border": "wrap"})"),
             "cameras[0].psf.border: \"wrap\" is not one of renormalise, clamp, black");
   refusedIn(

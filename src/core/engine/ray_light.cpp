@@ -9,14 +9,41 @@ namespace hogelscope {
 
 RayLight::RayLight(const ViewRays& rays, const TexelFilter& filter)
     : m_rays(rays), m_filter(filter) {
+  if (const LensSheet* sheet = rays.map(0).panel.sheet; sheet != nullptr) m_spot = sheet->spot();
   if (rays.plan().leaksOverField) m_leakage.emplace(*rays.job().twin, rays.job().state.psf);
 }
 
 void RayLight::sum(int count, const CellBatch& cells, Scratch& scratch, LightBatch& light) const {
   if (m_leakage)
     sumField(count, cells, light);
+  else if (!m_spot.empty())
+    sumSpot(count, cells, scratch, light);
   else
     m_filter.sum(count, cells, scratch.taps, light);
+}
+
+/// Sums a lens sheet's pixels beside those that rays meet; beyond the panel there are none.
+void RayLight::sumSpot(int count, const CellBatch& cells, Scratch& scratch,
+                       LightBatch& light) const {
+  const auto reach = static_cast<int>(m_spot.size() / 2);
+  const int last = m_filter.texels().size().nx - 1;
+  scratch.beside = cells;
+  light = {};
+  for (int t = -reach; t <= reach; ++t) {
+    const auto share = static_cast<float>(m_spot[std::size_t(t + reach)]);
+    std::array<float, batchSize> weight;
+    for (std::size_t k = 0; k < batchSize; ++k) {
+      const int i = static_cast<int>(cells.cell[0][k]) + t;
+      weight[k] = i >= 0 && i <= last ? share : 0;
+      scratch.beside.cell[0][k] = static_cast<std::uint32_t>(std::clamp(i, 0, last));
+    }
+    m_filter.sum(count, scratch.beside, scratch.taps, scratch.tap);
+    for (std::size_t k = 0; k < batchSize; ++k) {
+      light.r[k] += weight[k] * scratch.tap.r[k];
+      light.g[k] += weight[k] * scratch.tap.g[k];
+      light.b[k] += weight[k] * scratch.tap.b[k];
+    }
+  }
 }
 
 /// Sums the leakage of each ray's directions, one or the four around its hit.

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <optional>
+#include <span>
 
 #include "core/engine/texel_filter.h"
 #include "core/engine/view_rays.h"
@@ -20,6 +21,8 @@ class RayLight {
         cells{};  ///< of red, green, blue; the first alone if all have the same
     TexelFilter::Scratch taps;
     LightBatch channel{};
+    CellBatch beside{};
+    LightBatch tap{};
     /// Returns 255 for rays that see the display, 0 for others.
     [[nodiscard]] const std::array<std::uint8_t, batchSize>& seen() const { return cells[0].seen; }
   };
@@ -37,11 +40,13 @@ class RayLight {
   void change(int count, const Scratch& scratch, LightBatch& light) const;
 
   void sum(int count, const CellBatch& cells, Scratch& scratch, LightBatch& light) const;
+  void sumSpot(int count, const CellBatch& cells, Scratch& scratch, LightBatch& light) const;
   void sumField(int count, const CellBatch& cells, LightBatch& light) const;
 
   const ViewRays& m_rays;
   std::optional<FieldLeakage> m_leakage;  ///< if it differs over the field
   const TexelFilter& m_filter;
+  std::span<const double> m_spot;  ///< LensSheet::spot
 };
 
 }  // namespace hogelscope

@@ -20,12 +20,13 @@ struct MoveSums {
   double squares = 0;
   double count = 0;
 
-  void add(const CellBatch& from, const CellBatch& to, std::size_t k) {
+  /// `first` is the first of the two axes along which cells are compared.
+  void add(const CellBatch& from, const CellBatch& to, std::size_t k, std::size_t first) {
     const auto move = [&](std::size_t axis) {
       return double(to.cell[axis][k]) - double(from.cell[axis][k]) + double(to.place[axis][k]) -
              double(from.place[axis][k]);
     };
-    const auto [du, dv] = std::pair(move(2), move(3));
+    const auto [du, dv] = std::pair(move(first), move(first + 1));
     u += du;
     v += dv;
     squares += du * du + dv * dv;
@@ -47,6 +48,7 @@ RayMoves movesOf(const RenderJob& job, LensTables& tables, const ParallelRows& p
   design.twin = nullptr;
   const ViewRays from(design, tables, parallelRows, progress);
   const ViewRays to(middleRays(job), tables, parallelRows, progress);
+  const std::size_t axis = job.display.sheet ? 0 : 2;
   const auto [width, height] = job.state.camera.res;
   std::vector<MoveSums> rows(static_cast<std::size_t>(height));
   parallelRows(height, [&, width = width](int begin, int end) {
@@ -59,7 +61,7 @@ RayMoves movesOf(const RenderJob& job, LensTables& tables, const ParallelRows& p
         to.cells(y, x0, count, {}, built);
         for (std::size_t k = 0; k < static_cast<std::size_t>(count); ++k)
           if (designed.seen[k] != 0 && built.seen[k] != 0)
-            rows[static_cast<std::size_t>(y)].add(designed, built, k);
+            rows[static_cast<std::size_t>(y)].add(designed, built, k, axis);
       }
   });
   MoveSums sum;

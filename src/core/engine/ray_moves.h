@@ -9,8 +9,8 @@
 
 namespace hogelscope {
 
-/// Moves of (u, v) in directional pixels, over the middle rays of a view that see both the design
-/// and the twin; NaN if there are none.
+/// Moves of (u, v) in directional pixels, or of a lens sheet's (i, j) in the panel's pixels, over
+/// the middle rays of a view that see both the design and the twin; NaN if there are none.
 struct RayMoves {
   double rms = 0;   ///< root of the mean of Δu² + Δv²
   double rest = 0;  ///< the same after the means of Δu and Δv are subtracted

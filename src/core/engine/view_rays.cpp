@@ -286,7 +286,9 @@ void ViewRays::eachBatch(int y, int x0, int x1, const Use& use) const {
 void ViewRays::addFootprint(int y, int x0, int x1, Footprint& result) const {
   const LightFieldSize& size = m_display.size();
   const Reconstruction reconstruction = m_job.sampling.reconstruction;
-  const Reach reach{reconstruction == Reconstruction::quadrilinear ? 1 : 0,
+  const LensSheet* sheet = m_display.sheet();
+  const int spread = sheet == nullptr ? 0 : static_cast<int>(sheet->spot().size() / 2);
+  const Reach reach{reconstruction == Reconstruction::quadrilinear ? 1 : spread,
                     m_plan.psfReach + (reconstruction == Reconstruction::nearest ? 0 : 1)};
   const float near = border();
   eachBatch(y, x0, x1, [&](std::size_t count, const CellBatch& batch) {

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -16,11 +17,12 @@
 #include "core/light_field/block_layout.h"
 #include "core/light_field/layout_params.h"
 #include "core/light_field/light_field_source.h"
+#include "core/light_field/sheet_calibration.h"
 #include "core/light_field/slice_layout.h"
 
 namespace hogelscope {
 
-enum class Layout { hogels, views, quilt, mosaic, lenslets, pack, live };
+enum class Layout { hogels, views, quilt, mosaic, lenslets, pack, live, woven };
 /// The stored type of a live light field's texels.
 enum class LiveType { uint8, real };
 enum class RowOrder { topDown, bottomUp };
@@ -48,6 +50,9 @@ struct LightFieldParams {
   LiveType type = LiveType::uint8;
   ContentParams content;  ///< of the source
   LiveParams live;        ///< of any source
+  /// The lens sheet for which views are woven; none: the display's own.
+  std::optional<SheetCalibration> calibration;
+  std::string calibrationFile;  ///< the document that names it; "": none
   [[nodiscard]] bool isLive() const { return layout == Layout::live; }
   bool operator==(const LightFieldParams&) const = default;
 };

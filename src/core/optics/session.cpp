@@ -60,23 +60,34 @@ void checkMetrics(const std::vector<std::string>& names) {
   }
 }
 
-/// A lens sheet has its calibration's size and views of one row.
-void checkSheet(const Session& session) {
-  if (!session.display.sheet) return;
-  if (session.lightField.viewingDistance != notGiven)
+/// Throws unless content is what a lens sheet shows, if the display is one.
+void checkSheetContent(const LightFieldParams& content, const DisplayParams& display) {
+  if (!display.sheet) {
+    if (content.calibration)
+      throw InputError("lightField.calibration",
+                       "is for a lens sheet: a display of kind \"sheet\"");
+    return;
+  }
+  if (content.viewingDistance != notGiven)
     throw InputError("lightField.viewingDistance",
                      "is for a display of hogels: a lens sheet has display.viewingDistance");
-  if (session.lightField.layout != Layout::quilt)
-    throw InputError("lightField.layout", "must be \"quilt\" for a lens sheet");
-  if (!session.twin.isZero())
-    throw InputError("twin", "is for a display of hogels, not for a lens sheet");
-  if (session.sampling.reconstruction != Reconstruction::nearest)
-    throw InputError("sampling.reconstruction",
-                     "must be \"nearest\" for a lens sheet, whose pixels are not interpolated");
-  for (std::size_t index = 0; index < session.cameras.size(); ++index)
-    if (session.cameras[index].psf.windowSize > 1)
-      throw InputError(statePath(index) + ".psf.windowSize",
-                       "must be 1 for a lens sheet, whose pixels have no directions to leak into");
+  const bool isWoven = content.layout == Layout::woven;
+  if (content.layout != Layout::quilt && !isWoven && !content.isLive())
+    throw InputError("lightField.layout",
+                     "must be \"quilt\", \"woven\" or \"live\" for a lens sheet");
+  if (content.calibration && isWoven)
+    throw InputError("lightField.calibration",
+                     "is for views: the panel's picture is woven already");
+  const auto panel = display.sheet->calibration.params.panel;
+  if (content.calibration && content.calibration->params.panel != panel)
+    throw InputError("lightField.calibration.panel",
+                     "is not the display's, " + pairText(panel[0], panel[1]) + " px");
+  if (!content.isLive() && display.hogels[0] > 0)
+    throw InputError("display.hogels",
+                     "is of a live scene's views: for a lens sheet the file says it");
+  if (content.isLive() && display.directions[1] > 1)
+    throw InputError("display.directions", "must be one row of views for a lens sheet: [" +
+                                               std::to_string(display.directions[0]) + ", 1]");
 }
 
 }  // namespace
@@ -99,8 +110,29 @@ void check(const CameraState& state, const std::string& path) {
                          ": give a sigma above 0, or windowSize 1 for no leakage");
 }
 
+void checkOnSheet(const SamplingParams& sampling, const TwinParams& twin) {
+  if (sampling.reconstruction != Reconstruction::nearest)
+    throw InputError("sampling.reconstruction",
+                     "must be \"nearest\" for a lens sheet, whose pixels are not interpolated");
+  if (!isOfSheet(twin))
+    throw InputError("twin",
+                     "has errors that a lens sheet cannot have: give offset, rotation, pitchError "
+                     "and gapError of lensArray alone");
+}
+
+void checkOnSheet(const PsfParams& psf, const std::string& path) {
+  if (psf.windowSize > 1)
+    throw InputError(path + "psf.windowSize",
+                     "must be 1 for a lens sheet, whose pixels have no directions to leak into");
+}
+
 void checkLightField(const Session& session) {
-  checkSheet(session);
+  checkSheetContent(session.lightField, session.display);
+  if (session.display.sheet) {
+    checkOnSheet(session.sampling, session.twin);
+    for (std::size_t index = 0; index < session.cameras.size(); ++index)
+      checkOnSheet(session.cameras[index].psf, statePath(index) + ".");
+  }
   const bool isLive = session.lightField.isLive();
   if (isLive && session.lightField.source.empty())
     throw InputError("lightField.source", "is missing: name what computes the content");
@@ -171,7 +203,9 @@ void requireHogels(const Session& session, const char* job) {
 }
 
 PanelParams displayOf(const Session& session) {
-  return {session.display, session.lightField.viewingDistance};
+  PanelParams display{session.display, session.lightField.viewingDistance};
+  if (display.sheet) display.hogels = display.directions = {0, 0};  // they are of its views
+  return display;
 }
 
 PanelParams resolved(const PanelParams& display, const LightFieldSize& fromFile) {

@@ -46,6 +46,11 @@ void check(const Session& session);
 /// Checks those of them that are about the display and its light field.
 void checkLightField(const Session& session);
 
+/// Throws InputError for sampling or a unit that a lens sheet cannot have; and for leakage, with
+/// `path` in front.
+void checkOnSheet(const SamplingParams& sampling, const TwinParams& twin);
+void checkOnSheet(const PsfParams& psf, const std::string& path);
+
 /// Checks the rules of one state; paths begin with `path`, such as "cameras[2]".
 void check(const CameraState& state, const std::string& path);
 
@@ -63,7 +68,8 @@ PanelParams resolved(const PanelParams& display, const LightFieldSize& fromFile)
 /// Returns the display with the hogels and directions of `known` where it leaves them out.
 PanelParams withCounts(PanelParams display, const DisplayParams& known);
 
-/// Returns the session's display with the viewing distance of its light field.
+/// Returns the session's display with the viewing distance of its light field. A lens sheet's
+/// hogels and directions, which are those of a live scene's views, are left out.
 PanelParams displayOf(const Session& session);
 
 }  // namespace hogelscope

@@ -76,13 +76,8 @@ void checkContent(const RenderJob& job) {
     if (job.lightField->size() != LightFieldSize{width, height, 1, 1})
       throw InputError("lightField", "is not the picture of the lens sheet's panel, " +
                                          pairText(width, height) + " px");
-    if (job.twin) throw InputError("twin", "is for a display of hogels, not for a lens sheet");
-    if (job.state.psf.windowSize > 1)
-      throw InputError("psf.windowSize",
-                       "must be 1 for a lens sheet, whose pixels have no directions to leak into");
-    if (job.sampling.reconstruction != Reconstruction::nearest)
-      throw InputError("sampling.reconstruction",
-                       "must be \"nearest\" for a lens sheet, whose pixels are not interpolated");
+    checkOnSheet(job.sampling, job.twin ? job.twin->params() : TwinParams{});
+    checkOnSheet(job.state.psf, "");
   }
   if (!job.twin) return;
   if (job.twin->size() != job.lightField->size())
@@ -138,7 +133,21 @@ Rgb Simulation::leaked(const TexelIndex& at) const {
   });
 }
 
+/// Sums a lens sheet's pixels beside the one that a ray meets; beyond the panel there are none.
+Rgb Simulation::spotLight(const Hit& hit, const std::vector<double>& spot) const {
+  Rgb sum;
+  const auto reach = static_cast<int>(spot.size() / 2);
+  for (int k = -reach; k <= reach; ++k) {
+    const TexelIndex at{static_cast<int>(hit.i) + k, static_cast<int>(hit.j), 0, 0};
+    if (at.i >= 0 && at.i < m_display.size().nx)
+      sum = sum + spot[std::size_t(k + reach)] * leaked(at);
+  }
+  return sum;
+}
+
 Rgb Simulation::reconstructed(const Hit& hit) const {
+  if (const LensSheet* sheet = m_display.sheet(); sheet != nullptr && !sheet->spot().empty())
+    return spotLight(hit, sheet->spot());
   const LightFieldSize& size = m_display.size();
   const Reconstruction reconstruction = m_job.sampling.reconstruction;
   const bool hogelsToo = reconstruction == Reconstruction::quadrilinear;

@@ -61,6 +61,7 @@ class Simulation {
                                                          const RigidTransform& from) const;
   [[nodiscard]] std::optional<Rgb> lightFrom(const RigidTransform& point, int x, int y) const;
   [[nodiscard]] Rgb leaked(const TexelIndex& at) const;
+  [[nodiscard]] Rgb spotLight(const Hit& hit, const std::vector<double>& spot) const;
   [[nodiscard]] Rgb reconstructed(const Hit& hit) const;
   [[nodiscard]] Rgb sent(const std::array<Hit, 3>& hits) const;
 

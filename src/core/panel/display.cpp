@@ -25,12 +25,18 @@ void describe(ParameterVisitor& v, DisplayParams& p) {
   v.field("position", position, {-1e6, 1e6, 0.01}, "m", "The panel's centre in the world.");
   v.field("orientation", orientation, {-360, 360, 1}, "°",
           "Rotations about x, y, z, applied y first, then x, then z.");
-  if (sheet) return describe(v, *sheet);
-  v.field("size", size, {1e-6, 1e6, 0.01}, "m", "Width and height of the panel.");
+  if (sheet) describe(v, *sheet);
+  if (!sheet) v.field("size", size, {1e-6, 1e6, 0.01}, "m", "Width and height of the panel.");
+  v.count(!sheet || hogels[0] > 0);
   v.field("hogels", hogels, {1, 65536, 1, true, 1, 512}, "",
-          "Columns and rows of hogels; may be left out where the light field's file says it.");
+          sheet ? "Columns and rows of a live scene's views; files say it."
+                : "Columns and rows of hogels; may be left out where the light field's file says "
+                  "it.");
   v.field("directions", directions, {1, 65536, 1, true, 1, 256}, "px",
-          "Directional pixels of a hogel, across and down; may be left out likewise.");
+          sheet ? "The number of a live scene's views, and 1."
+                : "Directional pixels of a hogel, across and down; may be left out likewise.");
+  v.count(true);
+  if (sheet) return;
   v.field({"fov", "Field of view"}, fov, {0.01, 179.9, 1}, "°",
           "Full angles into which a hogel sends light, across and down.");
   v.field({"lens", "Hogel lens"}, lens, hogelLensNames(),
@@ -60,8 +66,11 @@ Display::Display(const PanelParams& params, std::shared_ptr<const Twin> twin)
       m_displayFromWorld(transformFromPose(params.position, params.orientation).inverse()),
       m_lenses{lensOf(params, 0), lensOf(params, 1)},
       m_convergence(params.viewingDistance > 0 ? 1 / params.viewingDistance : 0) {
-  if (twin && twin->movesRays()) m_twin = std::move(twin);
-  if (params.sheet) m_sheet = std::make_shared<const LensSheet>(*params.sheet);
+  if (params.sheet)
+    m_sheet = std::make_shared<const LensSheet>(
+        *params.sheet, twin ? twin->params().lensArray : LensArrayErrors{});
+  else if (twin && twin->movesRays())
+    m_twin = std::move(twin);
 }
 
 std::optional<Hit> Display::intersectPlane(const Vec3& eye, const Vec3& direction,

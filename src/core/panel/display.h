@@ -76,7 +76,7 @@ class Display {
 
   [[nodiscard]] const LightFieldSize& size() const { return m_size; }
   [[nodiscard]] const RigidTransform& displayFromWorld() const { return m_displayFromWorld; }
-  /// Null for a display as designed.
+  /// Null for a display as designed, and for a lens sheet, whose errors sheet() has.
   [[nodiscard]] const Twin* twin() const { return m_twin.get(); }
   /// Null for a display of hogels.
   [[nodiscard]] const LensSheet* sheet() const { return m_sheet.get(); }

@@ -6,47 +6,51 @@
 #include <numbers>
 #include <utility>
 
-#include "core/base/error.h"
-
 namespace hogelscope {
 
-void describe(ParameterVisitor& v, SheetParams& p) {
-  auto& [pitch, slope, center, dpi, panel, cone] = p;
-  v.group("sheet", "A sheet of slanted lenses over the panel's sub-pixels.");
-  v.field("pitch", pitch, {1e-3, 1e5, 1}, "1/in", "Lenses for each inch across them.");
-  v.field("slope", slope, {-1e6, 1e6, 0.1}, "",
-          "A lens goes up by −slope for each unit to the right; not 0.");
-  v.field("center", center, {-1e6, 1e6, 0.01}, "",
-          "Which part of a lens's period the panel's middle is at.");
-  v.field("dpi", dpi, {1e-3, 1e6, 1}, "1/in", "Pixels for each inch of the panel.");
-  v.field("panel", panel, {1, 65536, 1}, "px", "Columns and rows of the panel's pixels.");
-  v.field("cone", cone, {0.01, 179.9, 1}, "°",
-          "The angle into which a lens spreads what is behind it.");
-}
-
-void check(const SheetParams& params) {
-  const auto need = [](const char* name, double value) {
-    if (value == notGiven) throw InputError(name, "is missing");
-  };
-  need("pitch", params.pitch);
-  need("slope", params.slope);
-  need("center", params.center);
-  need("dpi", params.dpi);
-  need("cone", params.cone);
-  if (params.panel[0] < 1 || params.panel[1] < 1) throw InputError("panel", "is missing");
-  if (params.slope == 0)
-    throw InputError("slope", "is 0: lenses along the rows; turn the panel by 90°");
-}
-
 void describe(ParameterVisitor& v, SheetDisplay& p) {
-  auto& [calibration, file, viewingDistance, emitter] = p;
+  auto& [calibration, file, viewingDistance, emitter, spot] = p;
   v.field("viewingDistance", viewingDistance, {1e-3, 1e6, 0.01}, "m",
           "Where all lenses of the sheet show the same view.");
   v.field("emitter", emitter, {0.01, 1, 0.01}, "px",
           "Width and height of a sub-pixel that gives light; only the width has an effect.");
+  v.field("spot", spot, {0, 1e-3, 1e-5}, "m",
+          "How far beside its place on the panel a lens takes light, along a row: the standard "
+          "deviation; 0: none.");
 }
 
-LensSheet::LensSheet(const SheetDisplay& display)
+std::vector<double> spotWeights(double sigma) {
+  constexpr double dropped = 1e-4;
+  const double t = sigma * sigma;
+  // Beyond some 10 px the Gaussian itself: the Bessel function would overflow.
+  const auto weight = [&](int k) {
+    return t < 100 ? std::exp(-t) * std::cyl_bessel_i(double(k), t)
+                   : std::exp(-k * k / (2 * t)) / std::sqrt(2 * std::numbers::pi * t);
+  };
+  std::vector<double> half{weight(0)};
+  double sum = half[0];
+  for (int k = 1; 1 - sum > dropped; ++k) {
+    half.push_back(weight(k));
+    sum += 2 * half.back();
+  }
+  std::vector<double> weights(half.rbegin(), half.rend());
+  weights.insert(weights.end(), half.begin() + 1, half.end());
+  for (double& each : weights) each /= sum;
+  return weights;
+}
+
+bool isOfSheet(const TwinParams& twin) {
+  TwinParams other = twin;
+  const LensArrayErrors& own = twin.lensArray;
+  other.lensArray = {};
+  other.lensArray.outside = own.outside;
+  LensArrayErrors rest = own;
+  rest.offset = rest.pitchError = {};
+  rest.rotation = rest.gapError = 0;
+  return other.isZero() && rest == LensArrayErrors{};
+}
+
+LensSheet::LensSheet(const SheetDisplay& display, const LensArrayErrors& mounted)
     : m_calibration(display.calibration), m_emitter(display.emitter[0]) {
   const SheetParams& params = m_calibration.params;
   check(params);
@@ -57,7 +61,17 @@ LensSheet::LensSheet(const SheetDisplay& display)
   m_gap = m_period / (2 * std::tan(radians(params.cone) / 2));
   const double tilt = m_size[1] / m_size[0] * m_perSlope;
   m_phase = lenses() * (1 + tilt) / 2 - params.center;
-  m_lensPeriod = m_period / (1 + m_gap / display.viewingDistance);
+  // The sheet is stretched about the panel's middle, then turned, then moved.
+  const auto [wider, higher] = mounted.pitchError;
+  const double stretched = m_perSlope * (1 + wider) / (1 + higher);
+  m_perSeen = std::tan(std::atan(stretched) + radians(mounted.rotation));
+  m_seenSlope = std::clamp(1 / m_perSeen, -1e9, 1e9);
+  const double upright = m_period / (1 + m_gap / display.viewingDistance) * (1 + wider) *
+                         std::cos(std::atan(stretched));
+  m_lensPeriod = upright / std::cos(std::atan(m_perSeen));
+  m_seenPhase = m_phase - (mounted.offset[0] + mounted.offset[1] * m_perSeen) / m_lensPeriod;
+  if (display.spot > 0) m_spot = spotWeights(display.spot / m_pixel);
+  m_seenGap = m_gap * (1 + mounted.gapError);
 }
 
 double LensSheet::slant() const {
@@ -91,14 +105,14 @@ std::optional<SheetHit> LensSheet::meet(const Vec3& eye, const Vec3& direction,
   const double b = direction.y / direction.z;
   const double x = eye.x - eye.z * a;
   const double y = eye.y - eye.z * b;
-  const double lens = std::floor((x + y * m_perSlope) / m_lensPeriod + m_phase);
-  const double across = (lens + 0.5 - m_phase) * m_lensPeriod - m_gap * (a + b * m_perSlope);
-  const double along = y - x * m_perSlope - m_gap * (b - a * m_perSlope);
-  const double square = 1 + m_perSlope * m_perSlope;
+  const double lens = std::floor((x + y * m_perSeen) / m_lensPeriod + m_seenPhase);
+  const double across = (lens + 0.5 - m_seenPhase) * m_lensPeriod - m_seenGap * (a + b * m_perSeen);
+  const double along = y - x * m_perSeen - m_seenGap * (b - a * m_perSeen);
+  const double square = 1 + m_perSeen * m_perSeen;
   const auto [width, height] = m_calibration.params.panel;
   // In pixels from the panel's lower left corner.
-  const double right = (across - along * m_perSlope) / square / m_pixel + width / 2.0;
-  const double up = (across * m_perSlope + along) / square / m_pixel + height / 2.0;
+  const double right = (across - along * m_perSeen) / square / m_pixel + width / 2.0;
+  const double up = (across * m_perSeen + along) / square / m_pixel + height / 2.0;
   const auto cell = [](double place, int count) {
     return static_cast<int>(std::floor(std::clamp(place, -2.0, count + 2.0)));
   };
@@ -107,7 +121,9 @@ std::optional<SheetHit> LensSheet::meet(const Vec3& eye, const Vec3& direction,
   const int column = cell(right - near[channel][0], width);
   const double beside = right - near[channel][0] - (column + 0.5);
   const double slid = (m_emitter - 1) * beside;
-  const double upSlid = up - m_calibration.params.slope * slid;
+  // Lenses that are nearly upright meet the emitter too far away.
+  constexpr double farthest = 8;
+  const double upSlid = up - std::clamp(slid * m_seenSlope, -farthest, farthest);
   const double above = cellsAt(column, cell(upSlid, height))[channel][1];
   return SheetHit{column + 0.5, height - (cell(upSlid - above, height) + 0.5)};
 }

@@ -10,36 +10,10 @@
 
 #include "core/base/geometry.h"
 #include "core/base/parameters.h"
+#include "core/light_field/sheet_calibration.h"
+#include "core/panel/twin_params.h"
 
 namespace hogelscope {
-
-/// The places of a pixel's red, green and blue, px from its middle: to the right, upwards.
-using SubPixels = std::array<std::array<double, 2>, 3>;
-
-/// One unit's figures, as its vendor counts them.
-struct SheetParams {
-  double pitch = notGiven;         ///< lenses an inch, across the lenses
-  double slope = notGiven;         ///< a lens goes up by −slope for each unit to the right
-  double center = notGiven;        ///< phase of the panel's middle, periods of the views
-  double dpi = notGiven;           ///< pixels an inch
-  std::array<int, 2> panel{0, 0};  ///< px
-  double cone = notGiven;          ///< angle into which a lens spreads what is behind it, degrees
-  bool operator==(const SheetParams&) const = default;
-};
-
-/// Throws InputError for a figure that is missing, and for a slope of 0.
-void check(const SheetParams& params);
-void describe(ParameterVisitor& v, SheetParams& p);
-
-/// A calibration: its figures, and where the sub-pixels are.
-struct SheetCalibration {
-  std::string serial{};
-  SheetParams params;
-  /// The kinds of pixels; one: vertical stripes of red, green and blue.
-  std::vector<SubPixels> cells{{{{0, 0}, {1.0 / 3, 0}, {2.0 / 3, 0}}}};
-  int pattern = 0;  ///< how kinds alternate, CellPatternMode 0 … 4
-  bool operator==(const SheetCalibration&) const = default;
-};
 
 /// A display that is a sheet over a panel, at a place. Of the display's fields, the calibration
 /// gives size and field; hogels are the panel's pixels, of one direction.
@@ -49,9 +23,20 @@ struct SheetDisplay {
   double viewingDistance = 0.6;  ///< where all lenses show the same view, metres
   std::array<double, 2> emitter{
       1.0 / 3, 1.0};  ///< width and height of a sub-pixel, px; meet() uses the width
+  /// Standard deviation of the light that a lens takes from beside a ray's place, along the panel's
+  /// rows, metres.
+  double spot = 0;
   bool operator==(const SheetDisplay&) const = default;
 };
 void describe(ParameterVisitor& v, SheetDisplay& p);
+
+/// Returns the parts of a ray's light that come from the pixels k = −K … K beside the one that it
+/// meets, of a spot that is `sigma` pixels wide: the discrete Gaussian e^−t I_k(t), t = sigma², of
+/// just that variance (Lindeberg 1990). Their sum is 1.
+std::vector<double> spotWeights(double sigma);
+
+/// Whether a unit's errors are none but those of a mounted sheet: offset, rotation, pitch and gap.
+bool isOfSheet(const TwinParams& twin);
 
 /// Tells where a ray meets the panel: column from the left, row from the top, both maybe beside it.
 struct SheetHit {
@@ -63,8 +48,9 @@ struct SheetHit {
 /// z = 0 is the lenses' plane, behind which the pixels are.
 class LensSheet {
  public:
-  /// Throws InputError as check() does.
-  explicit LensSheet(const SheetDisplay& display);
+  /// `mounted` tells how the sheet differs from the one that the calibration is of: its offset,
+  /// rotation, pitch and gap. Throws InputError as check() does.
+  explicit LensSheet(const SheetDisplay& display, const LensArrayErrors& mounted = {});
 
   [[nodiscard]] const SheetCalibration& calibration() const { return m_calibration; }
   [[nodiscard]] double pixel() const { return m_pixel; }  ///< pitch of the pixels
@@ -78,6 +64,9 @@ class LensSheet {
   [[nodiscard]] double slant() const;
   /// Returns the distance from lenses to pixels, in air, g = p/(2 tan(cone/2)).
   [[nodiscard]] double gap() const { return m_gap; }
+
+  /// Returns spotWeights() of the display's spot; empty if it has none.
+  [[nodiscard]] const std::vector<double>& spot() const { return m_spot; }
 
   /// Returns which of `views`, 0 from the left, a pixel's sub-pixel shows: ⌊N(1 − frac φ)⌋ at its
   /// own place. Columns count from the left, rows from the top.
@@ -101,7 +90,12 @@ class LensSheet {
   double m_perSlope;    ///< 1/slope
   double m_phase;       ///< φ₀
   double m_lensPeriod;  ///< p/(1 + g/D)
+  double m_perSeen;     ///< 1/slope of the lenses as they are mounted
+  double m_seenSlope;
+  double m_seenPhase;  ///< φ₀ of them
+  double m_seenGap;
   double m_emitter;
+  std::vector<double> m_spot;
 };
 
 }  // namespace hogelscope

@@ -8,8 +8,8 @@ namespace hogelscope {
 
 namespace {
 
-constexpr std::array<std::string_view, 7> layoutNames{"hogels",   "views", "quilt", "mosaic",
-                                                      "lenslets", "pack",  "live"};
+constexpr std::array<std::string_view, 8> layoutNames{"hogels",   "views", "quilt", "mosaic",
+                                                      "lenslets", "pack",  "live",  "woven"};
 constexpr std::array<std::string_view, 2> gridNames{"square", "hexagonal"};
 constexpr std::array<std::string_view, 2> typeNames{"uint8", "real"};
 constexpr std::array<std::string_view, 2> rowOrderNames{"top-down", "bottom-up"};
@@ -65,19 +65,21 @@ void describeLenslets(ParameterVisitor& v, LensletParams& p) {
 
 void describe(ParameterVisitor& v, LightFieldParams& p) {
   auto& [file, layout, incoming, rows, columns, pattern, exclude, scan, shear, viewingDistance,
-         quiltColumns, quiltRows, lenslets, yuv, source, type, content, live] = p;
+         quiltColumns, quiltRows, lenslets, yuv, source, type, content, live, calibration,
+         calibrationFile] = p;
   v.group("lightField", "The display's content: a file and how it is laid out.");
   if (!p.isLive())
     v.field("file", file,
-            "Image (hogels, quilt, mosaic, lenslets); folder or %-pattern of images, video or HDF5 "
+            "Image (hogels, quilt, mosaic, lenslets, woven); folder or %-pattern of images, video "
+            "or HDF5 "
             "file "
             "(views); store (pack); relative to the session.");
   v.field("layout", layout, layoutNames,
           "One image of hogel tiles, a folder of views (sub-aperture images), a quilt of views, a "
           "mosaic of views from several rows of cameras, a picture taken through lenslets, a store "
           "of blocks; live: a 3-D scene, of which a view's "
-          "rays are traced.");
-  if (!p.isLive())
+          "rays are traced; woven: the picture of a lens sheet's panel.");
+  if (!p.isLive() && layout != Layout::woven)
     v.field({"incoming", "Recorded looking in"}, incoming,
             "Directions were recorded looking into the scene: both u and v are flipped.");
   if (isGridOfViews(layout)) {
@@ -100,10 +102,11 @@ void describe(ParameterVisitor& v, LightFieldParams& p) {
     v.field("shear", shear, {-1e4, 1e4, 0.1}, "px/view",
             "Moves view (u, v) to the right and down, so that the wanted depth lies on the panel; "
             "by whole pixels, rounded.");
-  v.field(
-      "viewingDistance", viewingDistance, {1e-6, 1e6, 0.01, true}, "m",
-      "Distance before the panel of the plane on which the views' cameras stood, each looking at "
-      "all of the panel; not given: every hogel has the same directions.");
+  if (layout != Layout::woven)
+    v.field(
+        "viewingDistance", viewingDistance, {1e-6, 1e6, 0.01, true}, "m",
+        "Distance before the panel of the plane on which the views' cameras stood, each looking at "
+        "all of the panel; not given: every hogel has the same directions.");
   if (p.isLive()) {
     v.field(
         "source", source,

@@ -45,6 +45,8 @@ LightFieldParams readLightField(const Json& object) {
   LightFieldParams params;
   JsonReader reader(object, "lightField");
   describe(reader, params);
+  if (object.contains("calibration"))
+    params.calibration = readSheet(*reader.section("calibration"), reader.pathOf("calibration"));
   if (params.isLive() && !params.source.empty()) {
     params.content = contentParamsOf(params.source);
     if (const Json* own = reader.section(params.source); own != nullptr) {
@@ -147,6 +149,9 @@ void applyOverride(Json& document, const std::string& text) {
 
 Json writtenLightField(const LightFieldParams& params) {
   Json object = written(params);
+  if (params.calibration)
+    object["calibration"] = params.calibrationFile.empty() ? writtenSheet(*params.calibration)
+                                                           : Json(params.calibrationFile);
   if (params.content.isGiven()) {
     Json own = written(params.content);
     own.update(written(params.live));
@@ -193,15 +198,19 @@ void changeFiles(Session& session, const Change& change) {
   session.display.lensParams.changeFiles(change);
   if (session.display.sheet && !session.display.sheet->file.empty())
     session.display.sheet->file = change(session.display.sheet->file);
+  if (!lightField.calibrationFile.empty())
+    lightField.calibrationFile = change(lightField.calibrationFile);
 }
 
-/// Reads a document with overrides. The documents of a twin and of a lens sheet are kept unless
-/// they are overridden.
+/// Reads a document with overrides. The documents of a twin and of lens sheets are kept unless they
+/// are overridden.
 Session readOverridden(Json& document, const std::vector<std::string>& overrides,
                        const fs::path& folder) {
   const std::string twinFile = embedTwin(document, folder);
-  const std::string sheetFile = embedSheet(document, folder);
+  const std::string sheetFile = embedSheet(document, "display", folder);
+  const std::string weaveFile = embedSheet(document, "lightField", folder);
   for (const std::string& change : overrides) applyOverride(document, change);
+  completeWeave(document);
   Session session = readSession(document);
   const auto isSame = [&](const char* section) {
     return std::ranges::none_of(
@@ -210,6 +219,8 @@ Session readOverridden(Json& document, const std::vector<std::string>& overrides
   if (isSame("twin.")) session.twinFile = twinFile;
   if (session.display.sheet && isSame("display.calibration"))
     session.display.sheet->file = sheetFile;
+  if (session.lightField.calibration && isSame("lightField.calibration"))
+    session.lightField.calibrationFile = weaveFile;
   return session;
 }
 
@@ -334,6 +345,8 @@ std::vector<fs::path> displayFiles(const Session& session) {
   if (!session.twinFile.empty()) files.emplace_back(session.twinFile);
   if (session.display.sheet && !session.display.sheet->file.empty())
     files.emplace_back(session.display.sheet->file);
+  if (!session.lightField.calibrationFile.empty())
+    files.emplace_back(session.lightField.calibrationFile);
   TwinMapFiles maps = session.twin.maps;
   for (const std::string* const file : maps.files()) files.emplace_back(*file);
   return files;

@@ -91,6 +91,15 @@ Json figuresOf(const Json& document) {
   return figures;
 }
 
+/// Returns a section's calibration in a session's document; null if it has none.
+Json* calibrationIn(Json& session, const char* section) {
+  if (!session.is_object()) return nullptr;
+  const auto object = session.find(section);
+  if (object == session.end() || !object->is_object()) return nullptr;
+  const auto given = object->find("calibration");
+  return given == object->end() ? nullptr : &*given;
+}
+
 SheetCalibration calibrationOf(const Json& document, std::vector<std::string>* warnings) {
   if (sheetNumber(document, "flipImageX").value_or(0) != 0)
     throw InputError("flipImageX", "is not 0: mirrored panels are not modelled");
@@ -123,15 +132,21 @@ SheetCalibration loadSheetCalibration(const std::filesystem::path& file,
   return inFile(file.string(), [&] { return calibrationOf(sheetDocument(file), warnings); });
 }
 
-std::string embedSheet(Json& session, const std::filesystem::path& folder) {
-  if (!session.is_object()) return {};
-  const auto display = session.find("display");
-  if (display == session.end() || !display->is_object()) return {};
-  const auto given = display->find("calibration");
-  if (given == display->end() || !given->is_string()) return {};
+std::string embedSheet(Json& session, const char* section, const std::filesystem::path& folder) {
+  Json* const given = calibrationIn(session, section);
+  if (given == nullptr || !given->is_string()) return {};
   std::string name = given->get<std::string>();
   *given = writtenSheet(loadSheetCalibration(folder / name));
   return name;
+}
+
+void completeWeave(Json& session) {
+  const Json* const own = calibrationIn(session, "display");
+  Json* const weave = calibrationIn(session, "lightField");
+  if (own == nullptr || weave == nullptr || !own->is_object() || !weave->is_object()) return;
+  Json whole = *own;
+  whole.update(*weave);
+  *weave = std::move(whole);
 }
 
 }  // namespace hogelscope

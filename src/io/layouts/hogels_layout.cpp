@@ -27,6 +27,10 @@ class HogelImage : public PictureFiles {
       : PictureFiles(params), m_image(params.file, params.yuv) {
     takeTypeOf(m_image);
     m_size = {display.hogels[0], display.hogels[1], display.directions[0], display.directions[1]};
+    if (display.sheet) {
+      takePanel(*display.sheet);
+      return;
+    }
     if (m_size.nx < 1 || m_size.ny < 1 || m_size.du < 1 || m_size.dv < 1)
       throw InputError(params.file, "size",
                        "is " + pairText(m_image.width(), m_image.height()) +
@@ -62,6 +66,16 @@ class HogelImage : public PictureFiles {
   }
 
  private:
+  /// The pixels of a lens sheet's panel are hogels of one direction.
+  void takePanel(const SheetDisplay& sheet) {
+    const auto [width, height] = sheet.calibration.params.panel;
+    m_size = {width, height, 1, 1};
+    if (m_image.width() != m_size.width() || m_image.height() != m_size.height())
+      throw InputError(m_params.file, "size",
+                       "is " + pairText(m_image.width(), m_image.height()) +
+                           " px, but the lens sheet's panel has " + pairText(width, height));
+  }
+
   template <class T>
   void handRow(int y, const T* rgb, const HogelRow& row) const {
     if (!m_params.incoming) return row(y / m_size.dv, y % m_size.dv, rgb);

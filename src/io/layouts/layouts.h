@@ -44,7 +44,7 @@ struct LayoutType {
   };
 };
 
-/// One image of hogel tiles, (i·du + u, j·dv + v).
+/// One image of hogel tiles, (i·du + u, j·dv + v); for a lens sheet, of its panel's pixels.
 extern const LayoutType hogelsLayout;
 /// A folder or %-pattern of images; frames of a video, counted row by row (LightFieldParams::scan);
 /// a data set of HDF5 (openHdf5).

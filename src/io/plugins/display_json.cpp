@@ -59,7 +59,7 @@ int patternOf(const Json& value, const std::string& path) {
 
 /// A lens sheet's place; its size and field are its calibration's.
 SheetDisplay sheetOf(const Json& object) {
-  for (const char* key : {"size", "hogels", "directions", "fov", "lens"})
+  for (const char* key : {"size", "fov", "lens"})
     if (object.contains(key))
       throw InputError(std::string("display.") + key,
                        "is for a display of hogels: a lens sheet's calibration says it");

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/scene/view_source.h"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
+#include <numbers>
 
 #include "core/base/error.h"
 #include "core/panel/twin.h"
@@ -29,15 +32,55 @@ std::unique_ptr<LightFieldFile> openLive(const LightFieldParams& params,
   return std::make_unique<LiveFile>(params, display, progress);
 }
 
+std::unique_ptr<LightFieldFile> openWoven(const LightFieldParams& params,
+                                          const DisplayParams& display, const Progress& progress) {
+  if (!display.sheet)
+    throw InputError("lightField.layout",
+                     "is \"woven\", the picture of a lens sheet's panel: give display.kind "
+                     "\"sheet\"");
+  return hogelsLayout.open(params, display, progress);
+}
+
+/// Returns the calibration for which views are woven.
+const SheetCalibration& weaveOf(const LightFieldParams& params, const SheetDisplay& sheet) {
+  return params.calibration ? *params.calibration : sheet.calibration;
+}
+
+/// Returns the display of hogels that has a sheet's views as its directions: each camera stands in
+/// the viewing plane, before the panel's middle, and sees all of the panel.
+DisplayParams displayOfViews(const DisplayParams& display) {
+  const double tangent = std::tan(radians(display.fov[0]) / 2);
+  DisplayParams views = display;
+  views.sheet.reset();
+  views.fov[1] =
+      2 * std::atan(tangent / std::max(1, display.directions[0])) * 180 / std::numbers::pi;
+  return views;
+}
+
+std::unique_ptr<LightFieldFile> openOnSheet(const LightFieldParams& params,
+                                            const DisplayParams& display,
+                                            const Progress& progress) {
+  if (params.layout == Layout::woven) return openWoven(params, display, progress);
+  const LensSheet sheet({.calibration = weaveOf(params, *display.sheet)});
+  if (!params.isLive())
+    return std::make_unique<WovenFile>(typeOf(params.layout).open(params, display, progress), sheet,
+                                       false);
+  LightFieldParams views = params;
+  views.viewingDistance = display.sheet->viewingDistance;
+  return std::make_unique<WovenFile>(openLive(views, displayOfViews(display), progress), sheet,
+                                     true);
+}
+
 const LayoutType packLayout{.open = openStore, .holder = Holder::store};
 const LayoutType liveLayout{.open = openLive, .holder = Holder::scene};
+const LayoutType wovenLayout{.open = openWoven};
 
 }  // namespace
 
 const LayoutType& typeOf(Layout layout) {
-  static constexpr std::array<const LayoutType*, 7> types{
+  static constexpr std::array<const LayoutType*, 8> types{
       &hogelsLayout,   &viewsLayout, &quiltLayout, &mosaicLayout,
-      &lensletsLayout, &packLayout,  &liveLayout};  // as the enumeration has them
+      &lensletsLayout, &packLayout,  &liveLayout,  &wovenLayout};  // as the enumeration has them
   return *types[std::size_t(layout)];
 }
 
@@ -75,9 +118,8 @@ std::unique_ptr<LightFieldFile> openLightField(const LightFieldParams& params,
   if (params.layout == Layout::hogels && LightFieldStore::isStore(params.file))
     throw InputError(params.file, "lightField.layout",
                      "is \"hogels\", but the file is a store: give \"pack\"");
-  auto file = typeOf(params.layout).open(params, display, progress);
-  if (display.sheet) return std::make_unique<WovenFile>(std::move(file), LensSheet(*display.sheet));
-  return file;
+  if (display.sheet) return openOnSheet(params, display, progress);
+  return typeOf(params.layout).open(params, display, progress);
 }
 
 bool readTheSame(const Session& a, const Session& b) {
@@ -86,9 +128,13 @@ bool readTheSame(const Session& a, const Session& b) {
   const bool haveSameRays = ours.size == others.size && ours.fov == others.fov &&
                             ours.lens == others.lens && ours.lensSource == others.lensSource &&
                             ours.lensParams == others.lensParams;
-  return a.lightField == b.lightField && ours.sheet == others.sheet &&
-         ours.hogels == others.hogels && ours.directions == others.directions &&
-         (haveSameRays || !a.lightField.isLive());
+  if (ours.sheet.has_value() != others.sheet.has_value()) return false;
+  const bool areWovenAlike =
+      !ours.sheet ||
+      (weaveOf(a.lightField, *ours.sheet) == weaveOf(b.lightField, *others.sheet) &&
+       (!a.lightField.isLive() || ours.sheet->viewingDistance == others.sheet->viewingDistance));
+  return a.lightField == b.lightField && areWovenAlike && ours.hogels == others.hogels &&
+         ours.directions == others.directions && (haveSameRays || !a.lightField.isLive());
 }
 
 std::shared_ptr<const Twin> twinOf(const TwinParams& params, const PanelParams& display,

@@ -9,8 +9,50 @@
 
 namespace hogelscope {
 
-WovenFile::WovenFile(std::unique_ptr<LightFieldFile> views, LensSheet sheet)
-    : m_views(std::move(views)), m_sheet(std::move(sheet)) {
+namespace {
+
+/// A panel's pixels, and the live scene that they show.
+class WovenScene : public LightFieldSource {
+ public:
+  WovenScene(std::shared_ptr<const LightFieldSource> panel,
+             std::shared_ptr<const LightFieldSource> scene)
+      : m_panel(std::move(panel)), m_scene(std::move(scene)) {}
+
+  [[nodiscard]] LightFieldSize size() const override { return m_panel->size(); }
+  [[nodiscard]] StoredType type() const override { return m_panel->type(); }
+  [[nodiscard]] std::shared_ptr<const LightField> slice(const ViewReads& reads,
+                                                        const Progress& progress) const override {
+    return m_panel->slice(reads, progress);
+  }
+  [[nodiscard]] std::shared_ptr<const LightField> overview() const override {
+    return m_panel->overview();
+  }
+  [[nodiscard]] bool isInMemory() const override { return true; }
+  [[nodiscard]] Rgb texel(const TexelIndex& at) const override { return m_panel->texel(at); }
+  [[nodiscard]] plugin::Triangles triangles() const override { return m_scene->triangles(); }
+  [[nodiscard]] std::optional<std::array<double, 2>> depths() const override {
+    return m_scene->depths();
+  }
+  void trace(const Vec3& eye, std::span<const Vec2> slopes, std::span<Rgb> light) const override {
+    m_scene->trace(eye, slopes, light);
+  }
+  void traceRays(std::span<const PanelRay> rays, std::span<Rgb> light) const override {
+    m_scene->traceRays(rays, light);
+  }
+  void traceDepths(const Vec3& eye, std::span<const Vec2> slopes,
+                   std::span<double> depths) const override {
+    m_scene->traceDepths(eye, slopes, depths);
+  }
+
+ private:
+  std::shared_ptr<const LightFieldSource> m_panel;
+  std::shared_ptr<const LightFieldSource> m_scene;
+};
+
+}  // namespace
+
+WovenFile::WovenFile(std::unique_ptr<LightFieldFile> views, LensSheet sheet, bool isLive)
+    : m_views(std::move(views)), m_sheet(std::move(sheet)), m_isLive(isLive) {
   const LightFieldSize size = m_views->size();
   if (size.dv != 1)
     throw InputError("lightField", "has " + pairText(size.du, size.dv) +
@@ -20,6 +62,13 @@ WovenFile::WovenFile(std::unique_ptr<LightFieldFile> views, LensSheet sheet)
 LightFieldSize WovenFile::size() const {
   const auto [width, height] = m_sheet.calibration().params.panel;
   return {width, height, 1, 1};
+}
+
+std::shared_ptr<const LightFieldSource> WovenFile::source(const SourceUse& use,
+                                                          const Progress& progress) {
+  auto panel = LightFieldFile::source(use, progress);
+  if (!m_isLive) return panel;
+  return std::make_shared<const WovenScene>(std::move(panel), m_views->source(use, {}));
 }
 
 LightField WovenFile::read(const Progress& progress) {
