@@ -2,6 +2,7 @@
 // How fast views are, against limits measured in the same run. `limit/…` reads the same texels from
 // addresses worked out before.
 #include <opencv2/imgproc.hpp>
+#include <random>
 
 #include "core/base/multiversioned.h"
 #include "core/base/parallel.h"
@@ -91,6 +92,32 @@ template <Unit unit>
 RenderJob built(int pose) {
   RenderJob job = viewOf(pose);
   job.twin = unitOf(unit);
+  return job;
+}
+
+/// A lens sheet of 3840×2160 pixels, of one kind or of two, with noise on its panel; it fills as
+/// much of the view as the paper's display does.
+template <bool isDelta>
+RenderJob throughSheet(int pose) {
+  RenderJob job = viewOf(pose);
+  SheetDisplay sheet;
+  sheet.calibration.params = {44.75, -6.87, 0.17, 283 * 0.3447 / 0.5, {3840, 2160}, 50};
+  if (isDelta) {
+    sheet.calibration.cells = {{{{-0.31, 0.25}, {0.28, 0.25}, {0, -0.25}}},
+                               {{{-0.31, -0.25}, {0.28, -0.25}, {0, 0.25}}}};
+    sheet.calibration.pattern = 2;
+  }
+  static const auto panel = [] {
+    std::vector<std::uint8_t> values(std::size_t(3) * 3840 * 2160);
+    std::mt19937 random(1);
+    for (std::uint8_t& value : values) value = std::uint8_t(random());
+    return std::make_shared<const LightField>(LightFieldSize{3840, 2160, 1, 1}, values);
+  }();
+  job.lightField = panel;
+  job.display.size = LensSheet(sheet).size();
+  job.display.sheet = sheet;
+  job.display.hogels = {3840, 2160};
+  job.display.directions = {1, 1};
   return job;
 }
 
@@ -267,6 +294,8 @@ void addViews() {
   add("view/nearest, twin: lens array", timeViews, built<Unit::affine>, 0);
   add("view/nearest, twin: hogels", timeViews, built<Unit::hogels>, 0);
   add("view/nearest, twin: directions", timeViews, built<Unit::directions>, 0);
+  add("view/nearest, lens sheet of stripes", timeViews, throughSheet<false>, 0);
+  add("view/nearest, lens sheet of delta cells", timeViews, throughSheet<true>, 0);
   add("limit/nearest distorted", limit, distorted, 1, 1);
   add("view/nearest distorted", timeViews, distorted, 0);
   add("limit/psf 5x5", limit, plain, 5, 1);

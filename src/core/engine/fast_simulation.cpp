@@ -7,6 +7,7 @@
 
 #include "core/engine/aperture_sum.h"
 #include "core/engine/ray_light.h"
+#include "core/engine/sheet_kernels.h"
 #include "core/engine/twin_kernels.h"
 #include "core/panel/twin.h"
 
@@ -38,6 +39,8 @@ void FastSimulation::row(int y, int x0, int x1, std::uint8_t* rgb, std::uint8_t*
   if (m_rays.plan().copiesTexels && m_rays.plan().isSimpleTwin &&
       (m_rays.lens() != nullptr || !m_rays.plan().hasLens))
     return copyTwinRow(y, x0, x1, rgb, seen);
+  if (m_rays.plan().copiesPixels && (m_rays.lens() != nullptr || !m_rays.plan().hasLens))
+    return copySheetRow(y, x0, x1, rgb, seen);
   std::vector<float> sums(3 * count);
   sumRow(y, x0, x1, sums.data(), seen);
   quantise(sums.data(), int(sums.size()), rgb);
@@ -85,6 +88,18 @@ void FastSimulation::copyTwinRow(int y, int x0, int x1, std::uint8_t* rgb,
   if (parts[0] < parts[3])
     hogelscope::copyTwinRow(map, m_texels->layout(), byteTexels(), m_rays.plainX(parts[0]),
                             m_rays.plainY(y), parts, rgb + 3 * from, seen + from);
+}
+
+void FastSimulation::copySheetRow(int y, int x0, int x1, std::uint8_t* rgb,
+                                  std::uint8_t* seen) const {
+  const HitMap& map = m_rays.map(0);
+  if (const LensTable* lens = m_rays.lens(); lens != nullptr) {
+    const RaySample& sample = m_rays.samplesFrom(0).front();
+    return copySheetRays(map, m_texels->layout(), byteTexels(), lens->x(y, sample) + x0,
+                         lens->y(y, sample) + x0, x1 - x0, rgb, seen);
+  }
+  hogelscope::copySheetRow(map, m_texels->layout(), byteTexels(), m_rays.plainX(x0),
+                           m_rays.plainY(y), x1 - x0, rgb, seen);
 }
 
 const Texel<std::uint8_t>* FastSimulation::byteTexels() const {

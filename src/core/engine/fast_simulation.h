@@ -33,6 +33,7 @@ class FastSimulation {
 
   [[nodiscard]] const Texel<std::uint8_t>* byteTexels() const;
   void copyRow(int y, int x0, int x1, std::uint8_t* rgb, std::uint8_t* seen) const;
+  void copySheetRow(int y, int x0, int x1, std::uint8_t* rgb, std::uint8_t* seen) const;
   void copyTwinRow(int y, int x0, int x1, std::uint8_t* rgb, std::uint8_t* seen) const;
   void copyPlainRow(int y, int x0, int x1, std::uint8_t* rgb, std::uint8_t* seen) const;
   void sumRow(int y, int x0, int x1, float* rgb, std::uint8_t* seen) const;

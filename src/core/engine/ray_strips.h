@@ -108,6 +108,17 @@ struct CellStrip {
 /// Any rays, or those of a row, which have one y; `hits` are a row's that are known to hit.
 enum class Rays { any, row, hits };
 
+/// Copies `count` rays, at most a strip of them, and fills the strip with the first.
+template <Rays rays>
+inline __attribute__((always_inline)) void padStrip(const double* x, const double* y, int count,
+                                                    Strip<double>& paddedX,
+                                                    Strip<double>& paddedY) {
+  paddedX.fill(x[0]);
+  paddedY.fill(y[0]);
+  std::copy_n(x, count, paddedX.begin());
+  if constexpr (rays == Rays::any) std::copy_n(y, count, paddedY.begin());
+}
+
 /// Finds and prefetches the addresses of at most a strip of rays, whose cells `find` finds.
 template <Rays rays, class Find>
 inline __attribute__((always_inline)) void findAddresses(const Find& find, const BlockLayout& l,
@@ -118,10 +129,7 @@ inline __attribute__((always_inline)) void findAddresses(const Find& find, const
   Strip<double> paddedX;
   Strip<double> paddedY;
   if (count < stripSize) {
-    paddedX.fill(x[0]);
-    paddedY.fill(y[0]);
-    std::copy_n(x, count, paddedX.begin());
-    if constexpr (rays == Rays::any) std::copy_n(y, count, paddedY.begin());
+    padStrip<rays>(x, y, count, paddedX, paddedY);
     x = paddedX.data();
     y = paddedY.data();
   }

@@ -3,10 +3,10 @@
 #include "core/engine/row_kernels.h"
 
 #include <algorithm>
-#include <optional>
 
 #include "core/base/multiversioned.h"
 #include "core/engine/ray_strips.h"
+#include "core/engine/sheet_kernels.h"
 #include "core/engine/twin_kernels.h"
 
 namespace hogelscope {
@@ -87,23 +87,6 @@ void curvedCells(const HitMap& map, const double* x, const double* y, int count,
   }
   split(found, count, batch);
 }
-/// The pixels that are met through a lens sheet, one by one.
-void sheetCells(const HitMap& map, const double* x, const double* y, int count, std::size_t channel,
-                CellBatch& batch) {
-  const RealMap<double> m(map);
-  IndexBatch<double> found;
-  for (std::size_t k = 0; k < std::size_t(count); ++k) {
-    const auto along = [&](std::size_t c) {
-      return x[k] * map.right[c] + y[k] * map.down[c] + map.forward[c];
-    };
-    const std::optional<SheetHit> hit =
-        map.panel.sheet->meet(map.panel.eye, {along(0), along(1), along(2)}, channel);
-    const SheetHit met = hit.value_or(SheetHit{});
-    keep(m, RealHit<double>{met.column, met.row, 0.5, 0.5, hit.has_value()}, k, found);
-  }
-  split(found, count, batch);
-}
-
 }  // namespace
 
 MULTIVERSIONED
@@ -127,7 +110,7 @@ void copyRays(const HitMap& map, const BlockLayout& layout, const Texel<std::uin
 void findCells(const HitMap& map, const double* x, const double* y, int count, CellBatch& batch,
                std::size_t channel) {
   if (map.panel.sheet != nullptr)
-    sheetCells(map, x, y, count, channel, batch);
+    findSheetCells(map, x, y, count, channel, batch);
   else if (map.panel.twin != nullptr)
     findTwinCells(map, x, y, count, channel, batch);
   else if (map.panel.lenses[0] == nullptr)

@@ -73,7 +73,7 @@ template void LightField::takeRow(int, int, const std::uint16_t*);
 template void LightField::takeRow(int, int, const float*);
 
 std::size_t LightField::bytes(const LightFieldSize& size, StoredType type) {
-  const BlockLayout layout(size, standardBlock);
+  const BlockLayout layout(size, blockFor(size));
   return (std::size_t(layout.texels) + 1) * memoryBytes(type);
 }
 

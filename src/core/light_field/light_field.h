@@ -91,9 +91,17 @@ class LightField final : public LightFieldSource, public std::enable_shared_from
   /// log2 of a block's cells along i, j, u, v, chosen by measurement (docs/measurements.md).
   static constexpr std::array<std::uint32_t, 4> standardBlock{3, 3, 3, 3};
 
-  /// Makes a black light field. Throws std::length_error beyond 2^32 - 2 texels.
-  LightField(LightFieldSize size, StoredType type,
-             const std::array<std::uint32_t, 4>& block = standardBlock);
+  /// Blocks of a panel behind a lens sheet, whose lenses show some columns of every row: a line of
+  /// the cache is two columns.
+  static constexpr std::array<std::uint32_t, 4> panelBlock{1, 3, 0, 0};
+  static constexpr const std::array<std::uint32_t, 4>& blockFor(const LightFieldSize& size) {
+    return size.du == 1 && size.dv == 1 ? panelBlock : standardBlock;
+  }
+
+  /// Makes a black light field, in blocks as blockFor(). Throws std::length_error beyond 2^32 - 2
+  /// texels.
+  LightField(LightFieldSize size, StoredType type) : LightField(size, type, blockFor(size)) {}
+  LightField(LightFieldSize size, StoredType type, const std::array<std::uint32_t, 4>& block);
   /// Copies a hogel image. Throws std::invalid_argument unless it has 3·width·height values.
   LightField(LightFieldSize size, const Values& values);
   /// Makes a black light field with only a slice in memory: no other texel may be read.

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <numbers>
 #include <utility>
 
@@ -54,6 +55,13 @@ LensSheet::LensSheet(const SheetDisplay& display, const LensArrayErrors& mounted
     : m_calibration(display.calibration), m_emitter(display.emitter[0]) {
   const SheetParams& params = m_calibration.params;
   check(params);
+  // Column from the left, row from the bottom: CellPatternMode 0 … 4.
+  constexpr std::array<std::array<int, 3>, 5> patterns{
+      {{0, 0, 0}, {1, 1, 1}, {1, 0, 1}, {2, 1, 3}, {0, 1, 1}}};
+  const auto& [ofColumn, ofRow, mask] = patterns[std::size_t(m_calibration.pattern)];
+  m_pattern = {ofColumn, ofRow, mask, {}};
+  for (std::size_t kind = 0; kind < m_pattern.kinds.size(); ++kind)
+    m_pattern.kinds[kind] = m_calibration.cells[kind % m_calibration.cells.size()];
   m_pixel = 0.0254 / params.dpi;
   m_size = {params.panel[0] * m_pixel, params.panel[1] * m_pixel};
   m_perSlope = 1 / params.slope;
@@ -79,53 +87,92 @@ double LensSheet::slant() const {
 }
 
 const SubPixels& LensSheet::cellsAt(int column, int rowUp) const {
-  const auto rest = [](int value, int count) { return (value % count + count) % count; };
-  const std::array kinds{0, column + rowUp, column, rowUp + 2 * rest(column, 2), rowUp};
-  constexpr std::array counts{1, 2, 2, 4, 2};
-  const auto pattern = std::size_t(m_calibration.pattern);
-  const auto kind = std::size_t(rest(kinds[pattern], counts[pattern]));
-  return m_calibration.cells[kind % m_calibration.cells.size()];
+  const int kind = (column * m_pattern.ofColumn + rowUp * m_pattern.ofRow) & m_pattern.mask;
+  return m_pattern.kinds[std::size_t(kind)];
+}
+
+LensSheet::RowPhases LensSheet::phasesOf(int row, std::size_t channel) const {
+  const int rowUp = m_calibration.params.panel[1] - 1 - row;
+  RowPhases phases{
+      {}, m_pixel / m_period, m_pattern.ofColumn, rowUp * m_pattern.ofRow, m_pattern.mask};
+  for (std::size_t kind = 0; kind < phases.first.size(); ++kind) {
+    const auto& [right, up] = m_pattern.kinds[kind][channel];
+    const double x = (0.5 + right) * m_pixel - m_size[0] / 2;
+    const double y = (rowUp + 0.5 + up) * m_pixel - m_size[1] / 2;
+    phases.first[kind] = (x + y * m_perSlope) / m_period + m_phase;
+  }
+  const double more =
+      1 - std::floor(std::ranges::min(phases.first));  // so that truncation is floor
+  for (double& phase : phases.first) phase += more;
+  return phases;
+}
+
+inline int LensSheet::RowPhases::viewOf(int column, int views) const {
+  const int kind = (column * ofColumn + ofRow) & mask;
+  const double phase = first[std::size_t(kind)] + column * perColumn;
+  return std::min(
+      static_cast<int>(views * (1 - (phase - double(static_cast<std::int64_t>(phase))))),
+      views - 1);
 }
 
 int LensSheet::viewOf(int column, int row, std::size_t channel, int views) const {
-  const int rowUp = m_calibration.params.panel[1] - 1 - row;
-  const auto [right, up] = cellsAt(column, rowUp)[channel];
-  const double x = (column + 0.5 + right) * m_pixel - m_size[0] / 2;
-  const double y = (rowUp + 0.5 + up) * m_pixel - m_size[1] / 2;
-  const double phase = (x + y * m_perSlope) / m_period + m_phase;
-  return std::min(static_cast<int>(views * (1 - (phase - std::floor(phase)))), views - 1);
+  return phasesOf(row, channel).viewOf(column, views);
+}
+
+void LensSheet::viewsOf(int row, std::size_t channel, int views, std::span<int> shown) const {
+  const RowPhases phases = phasesOf(row, channel);
+  for (std::size_t column = 0; column < shown.size(); ++column)
+    shown[column] = phases.viewOf(int(column), views);
 }
 
 /// Across the lenses, h = x + y/slope, light leaves a lens of middle hₙ with the slope
 /// (hₙ − h)/g of its pixel's place h; along them, t = y − x/slope, it goes straight.
+SheetHits LensSheet::hitsFrom(const Vec3& eye) const {
+  using Linear = SheetHits::Linear;
+  // A ray meets the sheet at x = eye.x − eye.z a, y = eye.y − eye.z b.
+  const Linear h{eye.x + eye.y * m_perSeen, -eye.z, -eye.z * m_perSeen};
+  const Linear t{eye.y - eye.x * m_perSeen, (eye.z + m_seenGap) * m_perSeen, -eye.z - m_seenGap};
+  constexpr double beyond = 16;
+  const double reach = (m_size[0] + m_size[1] * std::abs(m_perSeen)) / 2 / m_lensPeriod;
+  const double toFirst = m_seenPhase - (std::floor(m_seenPhase) - std::ceil(reach) - beyond);
+  const Linear across{(0.5 - toFirst) * m_lensPeriod, -m_seenGap, -m_seenGap * m_perSeen};
+  const double perPixel = 1 / ((1 + m_perSeen * m_perSeen) * m_pixel);
+  const auto [width, height] = m_calibration.params.panel;
+  SheetHits hits;
+  for (std::size_t k = 0; k < 3; ++k) {
+    hits.lens[k] = h[k] / m_lensPeriod;
+    hits.right[k] = (across[k] - t[k] * m_perSeen) * perPixel;
+    hits.up[k] = (across[k] * m_perSeen + t[k]) * perPixel;
+  }
+  hits.lens[0] += toFirst;
+  hits.right[0] += width / 2.0;
+  hits.up[0] += height / 2.0;
+  hits.rightOfLens = m_lensPeriod * perPixel;
+  hits.upOfLens = hits.rightOfLens * m_perSeen;
+  return hits;
+}
+
 std::optional<SheetHit> LensSheet::meet(const Vec3& eye, const Vec3& direction,
                                         std::size_t channel) const {
   if (!(eye.z > 0 && direction.z < 0)) return std::nullopt;
-  const double a = direction.x / direction.z;
-  const double b = direction.y / direction.z;
-  const double x = eye.x - eye.z * a;
-  const double y = eye.y - eye.z * b;
-  const double lens = std::floor((x + y * m_perSeen) / m_lensPeriod + m_seenPhase);
-  const double across = (lens + 0.5 - m_seenPhase) * m_lensPeriod - m_seenGap * (a + b * m_perSeen);
-  const double along = y - x * m_perSeen - m_seenGap * (b - a * m_perSeen);
-  const double square = 1 + m_perSeen * m_perSeen;
+  const SheetHits hits = hitsFrom(eye);
+  const auto at = [&, a = direction.x / direction.z, b = direction.y / direction.z](
+                      const SheetHits::Linear& f) { return f[0] + f[1] * a + f[2] * b; };
+  const double lens = std::floor(at(hits.lens));
+  const double right = at(hits.right) + hits.rightOfLens * lens;
+  const double up = at(hits.up) + hits.upOfLens * lens;
+  if (!std::isfinite(right) || !std::isfinite(up)) return std::nullopt;
   const auto [width, height] = m_calibration.params.panel;
-  // In pixels from the panel's lower left corner.
-  const double right = (across - along * m_perSeen) / square / m_pixel + width / 2.0;
-  const double up = (across * m_perSeen + along) / square / m_pixel + height / 2.0;
   const auto cell = [](double place, int count) {
     return static_cast<int>(std::floor(std::clamp(place, -2.0, count + 2.0)));
   };
-  if (!std::isfinite(right) || !std::isfinite(up)) return std::nullopt;
-  const SubPixels& near = cellsAt(cell(right, width), cell(up, height));
-  const int column = cell(right - near[channel][0], width);
-  const double beside = right - near[channel][0] - (column + 0.5);
-  const double slid = (m_emitter - 1) * beside;
+  const double fromRight = right - cellsAt(cell(right, width), cell(up, height))[channel][0];
+  const int column = cell(fromRight, width);
   // Lenses that are nearly upright meet the emitter too far away.
-  constexpr double farthest = 8;
-  const double upSlid = up - std::clamp(slid * m_seenSlope, -farthest, farthest);
-  const double above = cellsAt(column, cell(upSlid, height))[channel][1];
-  return SheetHit{column + 0.5, height - (cell(upSlid - above, height) + 0.5)};
+  const double above =
+      up + std::clamp(slide() * (fromRight - (column + 0.5)), -farthestUp, farthestUp);
+  const double fromAbove = above - cellsAt(column, cell(above, height))[channel][1];
+  return SheetHit{column + 0.5, height - (cell(fromAbove, height) + 0.5)};
 }
 
 }  // namespace hogelscope

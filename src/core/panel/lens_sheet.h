@@ -5,6 +5,7 @@
 
 #include <array>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -44,6 +45,25 @@ struct SheetHit {
   double row;
 };
 
+/// Where rays of slopes a = dx/dz, b = dy/dz from one eye end behind a sheet: functions of a
+/// constant and what they grow by for each unit of a, and of b.
+struct SheetHits {
+  using Linear = std::array<double, 3>;
+  Linear lens{};   ///< real-valued index of the lens that is met, from one beside the panel on
+  Linear right{};  ///< px from the panel's left, of a ray through lens 0
+  Linear up{};     ///< px from its bottom
+  double rightOfLens = 0;  ///< what `right` grows by for each lens, whole ones
+  double upOfLens = 0;
+};
+
+/// How the kinds of pixels alternate: kind (column·c + row·r) & mask, row from the bottom.
+struct CellPattern {
+  int ofColumn = 0;
+  int ofRow = 0;
+  int mask = 0;
+  std::array<SubPixels, 4> kinds{};  ///< as many as the mask counts
+};
+
 /// A sheet before its panel. Lengths are metres; x is to the right, y upwards from the middle, and
 /// z = 0 is the lenses' plane, behind which the pixels are.
 class LensSheet {
@@ -71,6 +91,8 @@ class LensSheet {
   /// Returns which of `views`, 0 from the left, a pixel's sub-pixel shows: ⌊N(1 − frac φ)⌋ at its
   /// own place. Columns count from the left, rows from the top.
   [[nodiscard]] int viewOf(int column, int row, std::size_t channel, int views) const;
+  /// Fills in the views of a row's sub-pixels of one colour, from the left.
+  void viewsOf(int row, std::size_t channel, int views, std::span<int> shown) const;
 
   /// Returns the sub-pixel of one colour that a ray meets through the sheet: on the lens's line
   /// behind which the ray ends, the nearest one. None if the eye is not in front of the lenses or
@@ -78,10 +100,30 @@ class LensSheet {
   [[nodiscard]] std::optional<SheetHit> meet(const Vec3& eye, const Vec3& direction,
                                              std::size_t channel) const;
 
+  // The parts of meet(), for loops over rays from one eye.
+  [[nodiscard]] SheetHits hitsFrom(const Vec3& eye) const;
+  [[nodiscard]] const CellPattern& pattern() const { return m_pattern; }
+  /// Returns how far upwards a ray's end moves along the lens for each px beside its sub-pixel's
+  /// middle, px, at most `farthestUp` to either side.
+  [[nodiscard]] double slide() const { return (1 - m_emitter) * m_seenSlope; }
+  static constexpr double farthestUp = 8;
+
  private:
   /// Returns the sub-pixels of a pixel, column and row from the left and the bottom.
   [[nodiscard]] const SubPixels& cellsAt(int column, int rowUp) const;
 
+  /// The phases of a row's sub-pixels of one colour.
+  struct RowPhases {
+    std::array<double, 4> first{};  ///< of column 0, for each kind of pixel; above 0
+    double perColumn = 0;
+    int ofColumn = 0;  ///< kind (column·ofColumn + ofRow) & mask
+    int ofRow = 0;
+    int mask = 0;
+    [[nodiscard]] int viewOf(int column, int views) const;
+  };
+  [[nodiscard]] RowPhases phasesOf(int row, std::size_t channel) const;
+
+  CellPattern m_pattern;
   SheetCalibration m_calibration;
   double m_pixel;
   std::array<double, 2> m_size;

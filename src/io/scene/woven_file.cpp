@@ -85,25 +85,31 @@ void WovenFile::stream(const HogelRow& row, const Progress& progress) {
                           count = count](auto zero) {
     using T = decltype(zero);
     const auto& texels = std::get<TexelArray<T>>(views.texels());
+    const BlockLayout& layout = views.layout();
+    // The view's pixel at the middle of the panel's, and the parts of texels' addresses.
+    const auto at = [](int pixel, int own, int panel) {
+      return std::uint32_t((2 * std::int64_t(pixel) + 1) * own / (2 * std::int64_t(panel)));
+    };
+    std::vector<std::uint32_t> ofColumn(std::size_t(width), 0);
+    std::vector<std::uint32_t> ofView(std::size_t(count), 0);
+    for (int x = 0; x < width; ++x) ofColumn[std::size_t(x)] = layout.i(at(x, across, width));
+    for (int u = 0; u < count; ++u) ofView[std::size_t(u)] = layout.u(std::uint32_t(u));
     constexpr int band = 64;
     std::vector<T> values(std::size_t(3) * std::size_t(width) * band);
     for (int first = 0; first < height; first += band) {
       reportProgress(weaving, double(first) / height);
       const int last = std::min(first + band, height);
       parallelRows(last - first, [&](int begin, int end) {
+        std::vector<int> shown(std::size_t(width), 0);
         for (int y = first + begin; y < first + end; ++y) {
-          T* to = values.data() + std::ptrdiff_t(3) * width * (y - first);
-          // The view's pixel at the middle of the panel's.
-          const int j = int((2 * std::int64_t(y) + 1) * down / (2 * std::int64_t(height)));
-          for (int x = 0; x < width; ++x, to += 3) {
-            const int i = int((2 * std::int64_t(x) + 1) * across / (2 * std::int64_t(width)));
-            const auto texelOf = [&](std::size_t channel) {
-              return texels[views.layout().address(
-                  {i, j, m_sheet.viewOf(x, y, channel, count), 0})];
-            };
-            to[0] = texelOf(0).r;
-            to[1] = texelOf(1).g;
-            to[2] = texelOf(2).b;
+          const auto* const texelsOfRow = texels.data() + layout.j(at(y, down, height));
+          T* const to = values.data() + std::ptrdiff_t(3) * width * (y - first);
+          for (std::size_t channel = 0; channel < 3; ++channel) {
+            m_sheet.viewsOf(y, channel, count, shown);
+            for (std::size_t x = 0; x < shown.size(); ++x) {
+              const Texel<T>& texel = texelsOfRow[ofColumn[x] + ofView[std::size_t(shown[x])]];
+              to[3 * x + channel] = channel == 0 ? texel.r : channel == 1 ? texel.g : texel.b;
+            }
           }
         }
       });
