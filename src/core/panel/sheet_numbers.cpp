@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/panel/sheet_numbers.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace hogelscope {
+
+namespace {
+
+/// The formulas' letters.
+struct SheetLetters {
+  explicit SheetLetters(const SheetDisplay& display)
+      : sheet(display),
+        p(sheet.period()),
+        q(sheet.pixel()),
+        g(sheet.gap()),
+        m(1 / display.calibration.params.slope),
+        w(display.emitter[0]),
+        distance(display.viewingDistance) {}
+  LensSheet sheet;
+  double p, q, g, m, w, distance;
+};
+
+double sinc(double x) {
+  return x == 0 ? 1 : std::sin(std::numbers::pi * x) / (std::numbers::pi * x);
+}
+
+/// Returns the depths in front and behind at which |z| s D/(D − z) is p.
+std::array<double, 2> depthsOf(double p, double s, double distance) {
+  const double behind = s * distance - p;
+  return {p * distance / (s * distance + p),
+          behind > 0 ? p * distance / behind : std::numeric_limits<double>::infinity()};
+}
+
+}  // namespace
+
+double SheetNumbers::pseudoscopic(double ipd) const {
+  return width() > 0 ? std::min(ipd / width(), 1.0) : 0;
+}
+
+SheetNumbers sheetNumbers(const SheetDisplay& display, int views, const Vec3& eye) {
+  const SheetLetters of(display);
+  SheetNumbers numbers;
+  numbers.views = views;
+  numbers.period = of.p;
+  numbers.cone = display.calibration.params.cone;
+  numbers.lobe = views * of.q / of.p * std::sqrt((of.w * of.w + of.m * of.m) / 12);
+  numbers.viewSlope = of.p / (views * of.g);
+  numbers.slopeSpread = std::hypot(numbers.viewSlope, of.w * of.q / of.g, of.m * of.q / of.g);
+  if (!(eye.z > 0)) return numbers;
+  numbers.distance = eye.z;
+  numbers.viewsPerMetre = 1 / (numbers.viewSlope * eye.z);
+  numbers.viewsPerPanelMetre = (1 / of.distance - 1 / eye.z) / numbers.viewSlope;
+  const double half = eye.z * of.p / (2 * of.g);
+  numbers.flips = {-half - of.m * eye.y, half - of.m * eye.y};
+  const auto sharp = depthsOf(of.p, numbers.slopeSpread, eye.z);
+  numbers.depthFront = sharp[0];
+  numbers.depthBehind = sharp[1];
+  const auto shifted = depthsOf(of.p, numbers.viewSlope, eye.z);
+  numbers.viewsFront = shifted[0];
+  numbers.viewsBehind = shifted[1];
+  return numbers;
+}
+
+/// A ray meets a lens u beside its middle, a pixel d beside the pixel's, and a row e beside the
+/// row's, each even over the width of a lens, a pixel, a row; the sub-pixel's place is then w d +
+/// m e from the ray's end across the lenses, and shows a view r of a view beside the ray's own.
+/// What is seen on the plane z lies aside by
+///     x:  u (1/(1 + m²))(1 − z/D) + u z/D  −  d (1 − z/D) + d w z/g  +  e m z/g  +  r z p/(N g)
+///     y:  (u m/(1 + m²) + d (1 − w)/m − e)(1 − z/D)
+double sheetContrast(const SheetDisplay& display, int views, double frequency, double z,
+                     std::size_t axis) {
+  const SheetLetters of(display);
+  const double f = frequency;
+  const double nearer = 1 - z / of.distance;
+  const double square = 1 + of.m * of.m;
+  if (axis == 1) {
+    const double seen = f * nearer;
+    return std::abs(sinc(seen * of.p * of.m / square) * sinc(seen * of.q * (1 - of.w) / of.m) *
+                    sinc(seen * of.q));
+  }
+  return std::abs(sinc(f * of.p * (nearer / square + z / of.distance)) *
+                  sinc(f * of.q * (nearer - of.w * z / of.g)) * sinc(f * of.q * of.m * z / of.g) *
+                  sinc(f * z * of.p / (views * of.g)));
+}
+
+double shareOfSums(double low, double high, double a, double b) {
+  const auto below = [a, b](double sum) {
+    const auto half = [](double x) { return x > 0 ? x * x / 2 : 0; };
+    return (half(sum + (a + b) / 2) - half(sum + (a - b) / 2) - half(sum - (a - b) / 2) +
+            half(sum - (a + b) / 2)) /
+           (a * b);
+  };
+  return std::clamp(below(high) - below(low), 0.0, 1.0);
+}
+
+double lobeShare(const SheetDisplay& display, int views, double low, double high) {
+  const SheetLetters of(display);
+  const double perPixel = views * of.q / of.p;
+  return shareOfSums(low, high, perPixel * of.w, perPixel * std::abs(of.m));
+}
+
+/// The places h across the lenses with |H/z + h (1/D − 1/z)| ≤ p/(2 g), the eye's own being H.
+double shareInCone(const SheetDisplay& display, const Vec3& eye) {
+  if (!(eye.z > 0)) return 0;
+  const SheetLetters of(display);
+  const double turn = 1 / of.distance - 1 / eye.z;
+  const double at = (eye.x + of.m * eye.y) / eye.z;
+  const double reach = of.p / (2 * of.g);
+  if (std::abs(turn) < 1e-12) return std::abs(at) <= reach ? 1 : 0;
+  const double middle = -at / turn;
+  const double half = reach / std::abs(turn);
+  const auto [width, height] = of.sheet.size();
+  return shareOfSums(middle - half, middle + half, width, std::abs(of.m) * height);
+}
+
+}  // namespace hogelscope
