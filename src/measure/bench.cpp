@@ -5,10 +5,13 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <stdexcept>
 
 #include "core/base/error.h"
 #include "core/content/live_source.h"
+#include "core/light_field/light_field.h"
 #include "core/panel/design_numbers.h"
+#include "core/panel/sheet_numbers.h"
 
 namespace hogelscope {
 
@@ -34,8 +37,73 @@ class TestContent : public plugin::ContentSource {
   const TestLight& m_light;
 };
 
+/// Test light as a quilt's views have it, woven for a lens sheet: the light of the rays from a
+/// pixel's middle to the cameras of the views that its sub-pixels show.
+class WovenContent : public LightFieldSource {
+ public:
+  WovenContent(const TestLight& light, const PanelParams& display)
+      : m_light(light), m_display(display), m_sheet(*display.sheet) {}
+
+  [[nodiscard]] LightFieldSize size() const override {
+    return {m_display.hogels[0], m_display.hogels[1], 1, 1};
+  }
+  [[nodiscard]] StoredType type() const override { return StoredType::real; }
+  [[nodiscard]] std::shared_ptr<const LightField> slice(
+      const ViewReads& reads, const Progress& /*progress*/) const override {
+    const Footprint footprint = reads.footprint();
+    auto texels = std::make_shared<LightField>(size(), type(), sliceLayout(footprint));
+    const SliceLayout& layout = *texels->sliceLayout();
+    std::vector<std::uint8_t> marks(layout.texels, 1);
+    if (reads.mark) {
+      std::ranges::fill(marks, std::uint8_t{0});
+      reads.mark(layout, marks);
+    }
+    std::vector<int> columns;
+    for (int i = 0; i < m_display.hogels[0]; ++i)
+      if (!footprint.u[std::size_t(i)].isEmpty()) columns.push_back(i);
+    for (int j = 0; j < m_display.hogels[1]; ++j) {
+      if (footprint.v[std::size_t(j)].isEmpty()) continue;
+      const std::uint32_t row = layout.rowStart[std::size_t(j)];
+      for (const int i : columns)
+        if (const std::uint32_t at = row + layout.columnStart[std::size_t(i)]; marks[at] != 0)
+          texels->setAddress(at, lightAt(i, j).data());
+    }
+    return texels;
+  }
+  [[nodiscard]] std::shared_ptr<const LightField> overview() const override {
+    throw std::logic_error("WovenContent: has no overview");
+  }
+
+ private:
+  [[nodiscard]] std::array<float, 3> lightAt(int column, int row) const {
+    const double x = (column + 0.5) * m_sheet.pixel() - m_sheet.size()[0] / 2;
+    const double y = m_sheet.size()[1] / 2 - (row + 0.5) * m_sheet.pixel();
+    const int views = m_display.directions[0];
+    const double distance = m_display.sheet->viewingDistance;
+    std::array<float, 3> colour{};
+    for (std::size_t channel = 0; channel < 3; ++channel) {
+      const int view = m_sheet.viewOf(column, row, channel, views);
+      const double camera =
+          ((view + 0.5) / views - 0.5) * distance * m_sheet.period() / m_sheet.gap();
+      const plugin::Ray ray{x, y, 0, (camera - x) / distance, -y / distance, 0};
+      colour[channel] = float(m_light(ray)[channel] / 255);
+    }
+    return colour;
+  }
+
+  const TestLight& m_light;
+  const PanelParams& m_display;
+  LensSheet m_sheet;
+};
+
 PanelParams onBench(PanelParams display) {
   display.position = display.orientation = {};
+  return display;
+}
+
+/// Returns what the engine knows of a display: of a lens sheet's panel, one direction.
+PanelParams shownBy(PanelParams display) {
+  if (display.sheet) display.directions = {1, 1};
   return display;
 }
 
@@ -43,12 +111,18 @@ PanelParams onBench(PanelParams display) {
 
 Bench::Bench(const PanelParams& display, const CameraState& state)
     : m_display(onBench(display)),
-      m_panel(m_display),
+      m_panel(shownBy(m_display)),
       m_eye(Display(display).displayFromWorld().point(state.camera.eye)),
       m_psf(state.psf),
       m_pupil(state.pupil) {
   if (!(m_eye.z > 0)) throw InputError(state.camera.name, "its eye is not in front of the panel");
+  if (m_display.sheet) {
+    m_pitches = {sheet()->period(), sheet()->pixel()};
+    m_steps = {sheetNumbers(*m_display.sheet, m_display.directions[0], m_eye).slopeSpread, 0};
+    return;
+  }
   const DesignNumbers numbers = designNumbers(m_display, m_eye);
+  m_pitches = numbers.hogelPitch;
   m_steps = numbers.slopeStep;
 }
 
@@ -85,10 +159,13 @@ double Bench::eyePlaceFor(double direction, double place, std::size_t axis) cons
 std::vector<BenchPoint> Bench::look(const TestLight& light, const Vec3& eye, std::size_t axis,
                                     double from, double to, int count, double across) {
   RenderJob job;
-  job.lightField = std::make_shared<LiveSource>(
-      std::make_shared<TestContent>(light), m_display, LiveParams(), StoredType::real,
-      std::numeric_limits<std::size_t>::max(), serialRows);
-  job.display = m_display;
+  if (m_display.sheet)
+    job.lightField = std::make_shared<WovenContent>(light, m_display);
+  else
+    job.lightField = std::make_shared<LiveSource>(
+        std::make_shared<TestContent>(light), m_display, LiveParams(), StoredType::real,
+        std::numeric_limits<std::size_t>::max(), serialRows);
+  job.display = shownBy(m_display);
   CameraState& state = job.state;
   state.psf = m_psf;
   state.pupil = m_pupil;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A display on the test bench: it shows test light in closed form, and the engine looks at it along
-// lines. All is in the display frame, whatever the display's pose.
+// lines. All is in the display frame, whatever the display's pose. A lens sheet shows the light as
+// views have it that are woven for it.
 #pragma once
 
 #include <array>
@@ -38,8 +39,8 @@ struct BenchPoint {
 
 class Bench {
  public:
-  /// Takes the eye, the PSF and the pupil of a state. Throws InputError if the eye is not in front
-  /// of the panel.
+  /// Takes the eye, the PSF and the pupil of a state. A lens sheet's views are the display's
+  /// directions across. Throws InputError if the eye is not in front of the panel.
   Bench(const PanelParams& display, const CameraState& state);
 
   [[nodiscard]] const PanelParams& display() const { return m_display; }
@@ -47,10 +48,12 @@ class Bench {
   [[nodiscard]] double distance() const { return m_eye.z; }
   [[nodiscard]] const PsfParams& psf() const { return m_psf; }
   [[nodiscard]] const PupilParams& pupil() const { return m_pupil; }
-  [[nodiscard]] double pitch(std::size_t axis) const {
-    return m_display.size[axis] / m_display.hogels[axis];
-  }
-  /// Returns the slope step s in the middle of the field.
+  /// Null for a display of hogels, whose functions about hogels and directions are not for sheets.
+  [[nodiscard]] const LensSheet* sheet() const { return m_panel.sheet(); }
+  /// Returns the pitch of hogels; of a lens sheet the lenses' period across, and the pixels' up.
+  [[nodiscard]] double pitch(std::size_t axis) const { return m_pitches[axis]; }
+  /// Returns the slope step s in the middle of the field; of a lens sheet the width s of a view's
+  /// light (core/panel/sheet_numbers.h), 0 up.
   [[nodiscard]] double step(std::size_t axis) const { return m_steps[axis]; }
   /// Whether slopes are even over directions, so that closed forms hold everywhere.
   [[nodiscard]] bool isLinear(std::size_t axis) const;
@@ -94,6 +97,7 @@ class Bench {
   Vec3 m_eye;
   PsfParams m_psf;
   PupilParams m_pupil;
+  std::array<double, 2> m_pitches{};
   std::array<double, 2> m_steps{};
   Renderer m_renderer{serialRows};
 };

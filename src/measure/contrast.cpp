@@ -8,6 +8,8 @@
 #include <limits>
 #include <numbers>
 
+#include "core/panel/sheet_numbers.h"
+
 namespace hogelscope {
 
 namespace {
@@ -49,9 +51,91 @@ class HarmonicFit {
   std::array<double, 3> m_right{};
 };
 
-}  // namespace
+/// Where the eye's ray through a point of a lens sheet ends on the pixels, and where it crosses the
+/// cameras' plane across the lenses.
+struct SheetRay {
+  Vec2 end;
+  double crossing;
+};
 
-double contrast(Bench& bench, const Grating& grating, std::size_t axis) {
+SheetRay sheetRay(const Bench& bench, const Vec3& eye, const Vec2& point) {
+  const SheetDisplay& display = *bench.display().sheet;
+  const double a = (eye.x - point.x) / eye.z;
+  const double b = (eye.y - point.y) / eye.z;
+  const double perSlope = 1 / display.calibration.params.slope;
+  const double gap = bench.sheet()->gap();
+  return {{point.x - gap * a, point.y - gap * b},
+          point.x + point.y * perSlope + display.viewingDistance * (a + b * perSlope)};
+}
+
+/// Returns the mean over a line of what an eye sees of a grating, as a complex wave, less the
+/// phases that `phaseAt` expects of a ray; with `count` the points of it that are in the cone.
+template <class PhaseAt>
+std::complex<double> meanWave(Bench& bench, const Grating& grating, std::size_t axis,
+                              const Vec3& eye, double across, const PhaseAt& phaseAt) {
+  constexpr std::size_t green = 1;
+  constexpr int most = 1024;
+  const double pitch = bench.pitch(0);
+  const double panel = bench.display().size[axis];
+  const int count = std::clamp(int(panel / (std::numbers::phi - 1.48) / pitch), 1, most);
+  const double distance = bench.display().sheet->viewingDistance;
+  // All that a place shows is of the cone's own views.
+  const double reach = distance * (pitch / (2 * bench.sheet()->gap()) - bench.step(0));
+  std::complex<double> sum;
+  double seen = 0;
+  for (const std::complex<double> turn : {std::complex(1.0, 0.0), std::complex(0.0, 1.0)}) {
+    const TestLight light = [&](const plugin::Ray& ray) {
+      const Vec2 point = pointOf(ray, grating.z);
+      const double angle = 2 * pi * grating.frequency * (axis == 0 ? point.x : point.y);
+      return grey(bench.codeOf(turn.imag() == 0 ? std::cos(angle) : std::sin(angle)));
+    };
+    for (const BenchPoint& one :
+         bench.look(light, eye, axis, -panel / 2, panel / 2, count, across)) {
+      const SheetRay ray =
+          sheetRay(bench, eye, axis == 0 ? Vec2{one.place, across} : Vec2{across, one.place});
+      if (std::abs(ray.crossing) > reach) continue;
+      sum += turn * bench.waveOf(one.values[green]) * std::polar(1.0, -phaseAt(ray));
+      seen += 0.5;
+    }
+  }
+  return seen == 0 ? std::numeric_limits<double>::quiet_NaN() : sum / seen;
+}
+
+/// The contrast that a lens sheet leaves.
+double sheetContrastSeen(Bench& bench, const Grating& grating, std::size_t axis) {
+  const double part = grating.z / bench.display().sheet->viewingDistance;
+  const auto phaseAt = [&](const SheetRay& ray) {
+    const double place =
+        axis == 0 ? ray.end.x * (1 - part) + ray.crossing * part : ray.end.y * (1 - part);
+    return 2 * pi * grating.frequency * place;
+  };
+  constexpr int lines = 8;
+  const SheetNumbers numbers =
+      sheetNumbers(*bench.display().sheet, bench.display().directions[0], bench.eye());
+  std::complex<double> sum;
+  for (int line = 0; line < lines; ++line) {
+    const double share = (line + 0.5) / lines - 0.5;
+    Vec3 eye = bench.eye();
+    eye.x += share / numbers.viewsPerMetre;
+    // On as many places of the panel, in no step with lenses and pixels.
+    const double across = share * 0.61 * bench.display().size[1 - axis];
+    sum += meanWave(bench, grating, axis, eye, across, phaseAt);
+  }
+  return std::abs(sum) / lines;
+}
+
+/// The share of the contrast that a pupil leaves.
+double pupilLaw(const Bench& bench, const Grating& grating) {
+  const double distance = bench.distance();
+  const PupilParams& pupil = bench.pupil();
+  const double focus = pupil.focus > 0 ? pupil.focus : distance;
+  const double v =
+      pi * grating.frequency * pupil.diameter * std::abs(1 - (distance - grating.z) / focus);
+  return v > 1e-9 ? 2 * std::cyl_bessel_j(1.0, v) / v : 1;
+}
+
+/// The contrast that hogels leave.
+double hogelContrastSeen(Bench& bench, const Grating& grating, std::size_t axis) {
   // No whole number of points lies on a hogel, so that they are even over its phases.
   const double pitch = bench.pitch(axis);
   const double spacing = (std::numbers::phi - 1.48) * pitch;
@@ -99,8 +183,40 @@ double contrast(Bench& bench, const Grating& grating, std::size_t axis) {
   return std::abs(sum) / (2 * phases);
 }
 
+}  // namespace
+
+double contrast(Bench& bench, const Grating& grating, std::size_t axis) {
+  return bench.sheet() != nullptr ? sheetContrastSeen(bench, grating, axis)
+                                  : hogelContrastSeen(bench, grating, axis);
+}
+
+double shiftOfViews(Bench& bench, double z) {
+  const double views = bench.display().directions[0];
+  const double distance = bench.distance();
+  const double view =
+      1 / sheetNumbers(*bench.display().sheet, int(views), bench.eye()).viewsPerMetre;
+  // Its period on the panel is several times what a sharp picture shifts by.
+  const double frequency = 1 / (8 * bench.pitch(0));
+  const Grating grating{frequency * distance / (distance - z), z};
+  constexpr int lines = 8;
+  std::array<std::complex<double>, 2> waves;
+  const double middle = views / 2 - std::floor(views / 2);  // of two neighbours about the cone's
+  for (const double side : {-0.5, 0.5})
+    for (int line = 0; line < lines; ++line) {
+      const double across = ((line + 0.5) / lines - 0.5) * 0.1 * bench.display().size[1];
+      const Vec3 eye{(side + middle) * view, 0, distance};
+      waves[side > 0 ? 1 : 0] += meanWave(bench, grating, 0, eye, across, [&](const SheetRay& ray) {
+        return 2 * pi * frequency * ray.end.x;
+      });
+    }
+  return -std::arg(waves[1] / waves[0]) / (2 * pi * frequency);
+}
+
 double contrastLaw(const Bench& bench, const Grating& grating, std::size_t axis) {
   const auto [frequency, z] = grating;
+  if (const auto& sheet = bench.display().sheet)
+    return std::abs(sheetContrast(*sheet, bench.display().directions[0], frequency, z, axis) *
+                    pupilLaw(bench, grating));
   const bool hasDirections = bench.display().directions[axis] > 1;
   const double shift = hasDirections ? frequency * bench.step(axis) * z : 0;
   const std::vector<double> weights = bench.weights();
@@ -108,16 +224,11 @@ double contrastLaw(const Bench& bench, const Grating& grating, std::size_t axis)
   double leaked = 0;
   for (int k = -reach; k <= reach; ++k)
     leaked += weights[std::size_t(k + reach)] * std::cos(2 * pi * shift * k);
-  const double distance = bench.distance();
-  const PupilParams& pupil = bench.pupil();
-  const double focus = pupil.focus > 0 ? pupil.focus : distance;
   // The light of one direction converges from hogel to hogel, so that their pitch shrinks on its
   // way.
   const double viewing = bench.display().viewingDistance;
   const double pitch = bench.pitch(axis) * (viewing == notGiven ? 1 : 1 - z / viewing);
-  const double v = pi * frequency * pupil.diameter * std::abs(1 - (distance - z) / focus);
-  const double blurred = v > 1e-9 ? 2 * std::cyl_bessel_j(1.0, v) / v : 1;
-  return std::abs(sinc(frequency * pitch) * sinc(shift) * leaked * blurred);
+  return std::abs(sinc(frequency * pitch) * sinc(shift) * leaked * pupilLaw(bench, grating));
 }
 
 double depthOfFall(const std::function<double(double depth)>& fall, double level, double first) {

@@ -98,6 +98,7 @@ Json placeOf(const LightFieldParams& lightField) {
 
 StatesDepths depthsOfStates(const Session& session, const ViewSource& source,
                             const Progress& progress) {
+  requireHogels(source.display, "a depth budget");
   StatesDepths result;
   Renderer renderer;
   const double count = double(session.cameras.size()) + 1;

@@ -28,6 +28,11 @@ double depthScale(const Bench& bench, std::size_t axis) {
                                               : bench.distance();
 }
 
+/// Whether directions alone limit depths, so that ±p/s are exact.
+bool hasEvenSteps(const Bench& bench) {
+  return bench.sheet() == nullptr && bench.display().viewingDistance == notGiven;
+}
+
 double nyquist(const Bench& bench, std::size_t axis) {
   return 1 / (2 * bench.pitch(axis));
 }
@@ -82,6 +87,20 @@ void addSpatialResolution(const Bench& bench, std::size_t axis, std::vector<Meas
   }
 }
 
+/// Along the lenses, where all views have the same height.
+void addResolutionAlong(const Bench& bench, std::vector<Measurement>& all) {
+  const double limit = nyquist(bench, 1);
+  all.push_back({"spatialResolution", "1/mm", "up the panel, contrast 0.5 z=0 m",
+                 [=](Bench& b) {
+                   return 1e-3 * finest([&](double f) { return contrast(b, {f, 0}, 1); }, limit);
+                 },
+                 1e-3 * finest(
+                            [&](double f) {
+                              return contrastLaw(bench, {f, 0}, 1);
+                            },
+                            limit)});
+}
+
 void addDepthOfField(const Bench& bench, std::size_t axis, std::vector<Measurement>& all) {
   const double frequency = nyquist(bench, axis);
   const double scale = depthScale(bench, axis);
@@ -96,7 +115,7 @@ void addDepthOfField(const Bench& bench, std::size_t axis, std::vector<Measureme
         },
         level, scale);
   };
-  const bool isParallel = bench.display().viewingDistance == notGiven;
+  const bool isParallel = hasEvenSteps(bench);
   all.push_back({"depthOfField", "m", where,
                  [=](Bench& b) {
                    Bench plain = b.withoutBlur();
@@ -132,7 +151,7 @@ void addDepthLimits(const Bench& bench, std::size_t axis, std::vector<Measuremen
   const double distance = bench.distance();
   const double frequency = nyquist(bench, axis);
   const double display = depthScale(bench, axis) / (distance * distance);  // p/(s D²), dioptres
-  const bool isParallel = bench.display().viewingDistance == notGiven;
+  const bool isParallel = hasEvenSteps(bench);
   for (const double sign : {1.0, -1.0}) {
     const bool isFront = sign > 0;
     // Searches with the contrast of gratings.
@@ -207,13 +226,14 @@ void addDiffraction(const Bench& bench, std::size_t axis, std::vector<Measuremen
 void addDetail(const Bench& bench, double pupil, std::vector<Measurement>& all) {
   const std::size_t axis = mainAxis(bench);
   addSpatialResolution(bench, axis, all);
+  if (bench.sheet() != nullptr) addResolutionAlong(bench, all);
   addMtf(bench, axis, all);
   if (bench.display().directions[axis] > 1) {
     addDepthOfField(bench, axis, all);
     addDepthLimits(bench, axis, all);
   }
   addThroughFocus(bench, axis, pupil, all);
-  addDiffraction(bench, axis, all);
+  if (bench.sheet() == nullptr) addDiffraction(bench, axis, all);
 }
 
 }  // namespace hogelscope

@@ -143,7 +143,8 @@ MapPlot mtfMap(const Bench& bench, const std::vector<MeasuredFigure>& figures) {
     upright(dioptresAt(-depth, distance), "−p/s", false);
   }
   const double limit = distance * std::acos(-1) / 180 / (2 * bench.pitch(axis));
-  plot.lines.push_back({{plot.across[0], limit}, {plot.across[0], limit}, "hogels' limit 1/(2p)"});
+  const std::string whose = bench.sheet() != nullptr ? "lenses'" : "hogels'";
+  plot.lines.push_back({{plot.across[0], limit}, {plot.across[0], limit}, whose + " limit 1/(2p)"});
   plot.lines.push_back({{plot.across[0], limit}, {plot.across[1], limit}, ""});
   return plot;
 }
@@ -181,8 +182,10 @@ void addZone(const Bench& bench, const std::vector<MeasuredFigure>& figures,
              std::vector<Figure>& plots) {
   const MapPlot plot = zoneMap(bench, figures);
   if (plot.columns == 0) return;
-  plots.push_back({"viewing_zone", "Viewing zone from above",
-                   "The share of the panel that sends light to an eye; the line is 0.95.",
+  const std::string whatOfIt = bench.sheet() != nullptr
+                                   ? "The share of the panel that no flip separates from an eye"
+                                   : "The share of the panel that sends light to an eye";
+  plots.push_back({"viewing_zone", "Viewing zone from above", whatOfIt + "; the line is 0.95.",
                    svgOf(plot, map, "Share of the panel seen, over the eye's place"),
                    pointsOf(chosen(figures, "viewingZone", "share"), "x", "z"), twoColumns});
 }
@@ -255,11 +258,16 @@ std::string facts(const MeasureRequest& request, const Bench& bench) {
   };
   const PanelParams& display = request.display;
   const Vec3& eye = bench.eye();
-  return "<p>" + pair(display.size) + " m, " + pair(display.hogels) + " hogels of " +
-         pair(display.directions) + " directions, field of view " + pair(display.fov) +
-         "°. Eye of the state “" + escaped(request.session.cameras.front().camera.name) + "” at (" +
-         number(eye.x) + ", " + number(eye.y) + ", " + number(eye.z) +
-         ") m of the panel; leakage " +
+  const std::string shown = bench.sheet() != nullptr
+                                ? number(display.directions[0]) + " views under a lens sheet of " +
+                                      number(1000 * bench.pitch(0)) + " mm, " +
+                                      pair(display.hogels) + " px, cone " +
+                                      numberText(display.fov[0])
+                                : pair(display.hogels) + " hogels of " + pair(display.directions) +
+                                      " directions, field of view " + pair(display.fov);
+  return "<p>" + pair(display.size) + " m, " + shown + "°. Eye of the state “" +
+         escaped(request.session.cameras.front().camera.name) + "” at (" + number(eye.x) + ", " +
+         number(eye.y) + ", " + number(eye.z) + ") m of the panel; leakage " +
          (bench.psf().windowSize > 1 ? "σ " + numberText(bench.psf().sigma) + " in " +
                                            std::to_string(bench.psf().windowSize)
                                      : std::string("none")) +
@@ -289,9 +297,12 @@ std::vector<Figure> plotsOf(const Bench& bench, const std::vector<MeasuredFigure
       plots);
   addMatrix(figures, plots);
   addCurve(chosen(figures, "angularProfile", "angle"),
-           {"angular_profile", "Light of one direction over angle",
-            "Luminance, as a part of that in the direction's middle.", "angle in °", "luminance",
-            "angle"},
+           {"angular_profile",
+            bench.sheet() != nullptr ? "Light of one view over angle"
+                                     : "Light of one direction over angle",
+            bench.sheet() != nullptr ? "Luminance, as a part of that in the view's middle."
+                                     : "Luminance, as a part of that in the direction's middle.",
+            "angle in °", "luminance", "angle"},
            plots);
   addCurve(chosen(figures, "angularResolution", "contrast"),
            {"angular_resolution", "Contrast over directions",

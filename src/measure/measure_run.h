@@ -37,11 +37,13 @@ struct Measured {
   bool replacedAnother = false;  ///< the journal of another run
 };
 
-/// Returns the display of a session. Its light field is opened only if the display leaves out its
-/// hogels or directions. Throws InputError, Cancelled.
+/// Returns the display of a session; a lens sheet's directions are the views of its quilt. The light
+/// field is opened only if a display of hogels leaves out its hogels or directions. Throws
+/// InputError, Cancelled.
 PanelParams displayToMeasure(const Session& session, const Progress& progress);
 
-/// Returns the bench of a session's first state. Throws InputError.
+/// Returns the bench of a session's first state. Throws InputError (also for a lens sheet whose
+/// quilt does not say its number of views).
 Bench benchOf(const Session& session, const PanelParams& display);
 /// Returns all figures of the session, not measured yet.
 std::vector<Measurement> measurementsOf(const Session& session, const Bench& bench);

@@ -39,6 +39,8 @@ void addSheet(const Bench& bench, double pupil, std::vector<Measurement>& all);
 void addViewing(const Bench& bench, double ipd, std::vector<Measurement>& all);
 void addLight(const Bench& bench, std::vector<Measurement>& all);
 void addDetail(const Bench& bench, double pupil, std::vector<Measurement>& all);
+/// The group that a lens sheet has in place of those before addDetail().
+void addLensSheet(const Bench& bench, double ipd, std::vector<Measurement>& all);
 
 /// The axis along which figures of one axis are measured: across, or down if the display has but
 /// one direction across.

@@ -101,9 +101,13 @@ void addSheet(const Bench& bench, double pupil, std::vector<Measurement>& all) {
 
 std::vector<Measurement> allMeasurements(const Bench& bench, double ipd, double pupil) {
   std::vector<Measurement> all;
-  addSheet(bench, pupil, all);
-  addViewing(bench, ipd, all);
-  addLight(bench, all);
+  if (bench.sheet() != nullptr) {
+    addLensSheet(bench, ipd, all);
+  } else {
+    addSheet(bench, pupil, all);
+    addViewing(bench, ipd, all);
+    addLight(bench, all);
+  }
   addDetail(bench, pupil, all);
   return all;
 }

@@ -308,6 +308,7 @@ std::string yieldText(const SweepTable& table, const std::vector<SweepRow>& rows
 }
 
 Sweep sweep(const SweepRequest& request, const Progress& progress) {
+  requireHogels(request.session.display, "a sweep");
   checkFigures(request.table, request.session);
   const std::vector<Design> designs = designsOf(request.table);
   checkParameters(request, designs.front());
@@ -341,6 +342,7 @@ Sweep sweep(const SweepRequest& request, const Progress& progress) {
 std::vector<SweepRow> measureDesigns(const std::vector<Session>& designs,
                                      const std::vector<std::string>& figures,
                                      const Progress& progress) {
+  requireHogels(designs.front().display, "a sweep");
   const Campaign campaign = measureDesigns(
       {"", "", designs.size(), figures.size(), {}}, designs.front(), figures,
       [&](std::size_t item) { return designs[item]; }, progress);

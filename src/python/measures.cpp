@@ -23,7 +23,6 @@ std::tuple<std::string, std::string, std::string> depth(const Document& document
   const ThreadsOfCall limit(threads);
   return stoppable(progress, [&](const Progress& hear) {
     const Session session = sessionOf(document);
-    requireHogels(session, "depth()");
     const auto file = openLightField(session.lightField, session.display, part(hear, 0, 0.1));
     const DepthBudget budget = measureDepths(session, *file, {}, part(hear, 0.1, 1));
     return std::tuple(json(budget), csv(budget),
@@ -39,7 +38,6 @@ std::string measureSession(const Document& document, const std::string& output, 
     MeasureRequest request;
     request.name = document.name.empty() ? "a session of Python" : document.name;
     request.session = sessionOf(document);
-    requireHogels(request.session, "measure()");
     request.display = displayToMeasure(request.session, hear);
     request.output = output;
     return csv(measure(request, hear).figures);
@@ -54,7 +52,6 @@ std::string sweepSession(const Document& document, const std::string& table,
     SweepRequest request;
     request.name = document.name.empty() ? "a session of Python" : document.name;
     request.session = sessionOf(document);
-    requireHogels(request.session, "sweep()");
     request.table = parseSweepTable(table);
     request.output = output;
     return csv(request.table, sweep(request, hear).rows);

@@ -285,6 +285,7 @@ class Measurement {
 
 Tradeoff measureTradeoff(const std::vector<RenderJob>& views, const Budget& budget,
                          const ParallelRows& parallelRows, const Progress& progress) {
+  for (const RenderJob& view : views) requireHogels(view.display, "a trade-off");
   return Measurement(views, budget, parallelRows, progress).run();
 }
 

@@ -71,7 +71,7 @@ void writePlot(const fs::path& folder, const std::string& name, const DepthFigur
 
 int runDepth(const CommandLine& line) {
   const Session session = loadSelected(line);
-  inFile(line.text("session"), [&] { requireHogels(session, "--depth"); });
+  inFile(line.text("session"), [&] { requireHogels(session.display, "a depth budget"); });
   const auto file = openLightField(session.lightField, session.display);
   warnOf(*file, line.text("session"), line);
   const fs::path folder = line.text("output");

@@ -34,7 +34,7 @@ PanelParams panelOf(const Session& session) {
 }
 
 int exportRig(const Session& session, const CommandLine& line) {
-  inFile(line.text("session"), [&] { requireHogels(session, "--export rig"); });
+  inFile(line.text("session"), [&] { requireHogels(session.display, "a rig"); });
   keepSession(line, session);
   const fs::path output = line.text("output");
   const fs::path gltf = fs::path(output).replace_extension(".gltf");
@@ -78,7 +78,7 @@ int runExport(const CommandLine& line) {
   if (line.subject == "rig") return exportRig(session, line);
   keepSession(line, session);
   if (line.subject == "pack")
-    inFile(line.text("session"), [&] { requireHogels(session, "--export pack"); });
+    inFile(line.text("session"), [&] { requireHogels(session.display, "a pack"); });
   if (line.has("for-twin") && line.subject == "pack")
     throw InputError("command line", "--for-twin",
                      "is not for a store: export hogels or views, then pack them");

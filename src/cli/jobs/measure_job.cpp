@@ -20,8 +20,9 @@ namespace {
 /// Prints the figures that stand for a display.
 void printFigures(const Measured& measured) {
   for (const char* const name :
-       {"hogelPitch", "degreesPerDirection", "viewingZone", "crosstalk", "angularProfile",
-        "depthOfField", "depthFront", "depthBehind", "parallaxStep"}) {
+       {"hogelPitch", "degreesPerDirection", "viewsPerMetre", "viewingCone", "flip", "pseudoscopic",
+        "lobe", "viewingZone", "crosstalk", "angularProfile", "depthOfField", "depthFront",
+        "depthBehind", "viewsFront", "viewsBehind", "parallaxStep"}) {
     for (const MeasuredFigure& one : measured.figures) {
       if (one.of.figure != name || (one.of.unit.empty() && one.of.across != 0)) continue;
       std::cout << "  " << name << " (" << one.of.where << "): " << rounded(one.value, 4) << " "
@@ -41,8 +42,9 @@ int runMeasure(const CommandLine& line) {
   MeasureRequest request;
   request.name = line.text("session");
   request.session = loadSelected(line);
-  inFile(line.text("session"), [&] { requireHogels(request.session, "--measure"); });
-  request.display = displayToMeasure(request.session, {});
+  const auto displayOfRequest = [&] { return displayToMeasure(request.session, {}); };
+  request.display =
+      request.session.display.sheet ? inFile(request.name, displayOfRequest) : displayOfRequest();
   request.output = line.text("output");
   request.shard = shardOf(line);
   const std::filesystem::path folder = request.output;

@@ -20,7 +20,7 @@ int runSweep(const CommandLine& line) {
   request.name = line.text("session");
   request.table = loadSweepTable(line.subject);
   request.session = loadSelected(line);
-  inFile(line.text("session"), [&] { requireHogels(request.session, "--sweep"); });
+  inFile(line.text("session"), [&] { requireHogels(request.session.display, "a sweep"); });
   inFile(line.subject, [&] { checkFigures(request.table, request.session); });
   request.output = line.text("output");
   request.shard = shardOf(line);

@@ -38,7 +38,7 @@ void printLimits(const std::vector<TradeoffRow>& rows) {
 int runTradeoff(const CommandLine& line) {
   const double start = steadySeconds();
   const Session session = loadSelected(line);
-  inFile(line.text("session"), [&] { requireHogels(session, "--tradeoff"); });
+  inFile(line.text("session"), [&] { requireHogels(session.display, "a trade-off"); });
   // Opened first, so that an invalid file leaves no folder behind.
   const auto file = openLightField(session.lightField, session.display);
   const std::filesystem::path folder = line.text("output");

@@ -18,7 +18,7 @@ namespace hogelscope {
 
 int runMakeTwin(const CommandLine& line) {
   const Session session = loadSessionOf(line);
-  inFile(line.text("session"), [&] { requireHogels(session, "--make-twin"); });
+  inFile(line.text("session"), [&] { requireHogels(session.display, "a twin"); });
   const std::string name = line.text("session");
   const std::filesystem::path output = line.text("output");
   const std::filesystem::path maps = std::filesystem::path(output).replace_extension(".hogels.exr");

@@ -197,9 +197,9 @@ std::vector<std::string> warnings(const Session& session) {
   return lines;
 }
 
-void requireHogels(const Session& session, const char* job) {
-  if (session.display.sheet)
-    throw InputError("display.kind", std::string("is \"sheet\", which ") + job + " does not know");
+void requireHogels(const DisplayParams& display, const char* what) {
+  if (display.sheet)
+    throw InputError("display.kind", std::string("is \"sheet\", which ") + what + " does not know");
 }
 
 PanelParams displayOf(const Session& session) {

@@ -58,8 +58,9 @@ void check(const CameraState& state, const std::string& path);
 /// kind, which begins with the name of the first state concerned.
 std::vector<std::string> warnings(const Session& session);
 
-/// Throws InputError if the display is a lens sheet, which `job` does not know.
-void requireHogels(const Session& session, const char* job);
+/// Throws InputError if the display is a lens sheet, which `what`, such as "a sweep", does not
+/// know.
+void requireHogels(const DisplayParams& display, const char* what);
 
 /// Returns the display; hogels and directions that it leaves out are taken from `fromFile`. Throws
 /// InputError if both give them and differ.

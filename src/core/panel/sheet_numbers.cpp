@@ -89,6 +89,7 @@ double sheetContrast(const SheetDisplay& display, int views, double frequency, d
 
 double shareOfSums(double low, double high, double a, double b) {
   const auto below = [a, b](double sum) {
+    if (std::abs(sum) >= (a + b) / 2) return sum > 0 ? 1.0 : 0.0;
     const auto half = [](double x) { return x > 0 ? x * x / 2 : 0; };
     return (half(sum + (a + b) / 2) - half(sum + (a - b) / 2) - half(sum - (a - b) / 2) +
             half(sum - (a + b) / 2)) /
