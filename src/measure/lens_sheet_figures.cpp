@@ -144,18 +144,20 @@ void addViews(const Bench& bench, std::vector<Measurement>& all) {
                    return (viewAt(middle + move) - viewAt(middle - move)) / (2 * move);
                  },
                  numbers.viewsPerMetre});
-  all.push_back({"viewsPerMetre", "1/m", "to the right along the panel" + at,
-                 [=](Bench& b) {
-                   Spot spot = Sheet(b).middle(b);
-                   const double turn = 0.3 * numbers.views / std::abs(numbers.viewsPerPanelMetre);
-                   const double move = std::min(0.35 * b.display().size[0], turn);
-                   const auto viewAt = [&](double x) {
-                     spot.middle.x = x;
-                     return meanView(b, {middle, eye.y, eye.z}, spot);
-                   };
-                   return (viewAt(move) - viewAt(-move)) / (2 * move);
-                 },
-                 numbers.viewsPerPanelMetre});
+  all.push_back(
+      {"viewsPerMetre", "1/m", "to the right along the panel" + at,
+       [=](Bench& b) {
+         Spot spot = Sheet(b).middle(b);
+         const double turn = 0.3 * numbers.views / std::abs(numbers.viewsPerPanelMetre);
+         const double move = std::min(
+             0.45 * (b.display().size[0] - spot.width - std::abs(spot.lean) * spot.height), turn);
+         const auto viewAt = [&](double x) {
+           spot.middle.x = x;
+           return meanView(b, {middle, eye.y, eye.z}, spot);
+         };
+         return (viewAt(move) - viewAt(-move)) / (2 * move);
+       },
+       numbers.viewsPerPanelMetre});
   all.push_back({"lobe", "views", "rms" + at,
                  [=](Bench& b) {
                    const Spot spot = Sheet(b).middle(b);

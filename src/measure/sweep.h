@@ -56,7 +56,7 @@ void checkFigures(const SweepTable& table, const Session& session);
 Sweep sweep(const SweepRequest& request, const Progress& progress);
 
 /// Measures figures of designs that are whole sessions, one at least, as rows without `design`.
-/// "psnr:design" is against the first one. Throws Cancelled.
+/// "psnr:design" is against the first one. Throws InputError for lens sheets, Cancelled.
 std::vector<SweepRow> measureDesigns(const std::vector<Session>& designs,
                                      const std::vector<std::string>& figures,
                                      const Progress& progress);

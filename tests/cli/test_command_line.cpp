@@ -427,6 +427,11 @@ void TestCommandLine::infoOfALensSheet() {
                  "upright, the top to the right\n"
                  "cone        40°: 0.728 m wide at 1 m; taken for the lenses', whose pixels "
                  "are then 0.7075 mm of air behind them\n"
+                 "seen        at 0.6 m: the views begin again every 0.437 m, between the eyes (63 "
+                 "mm) of 14.4 % of heads\n"
+                 "views       of 48: 109.9 pass in a metre, 1.00 (rms) mix in one place\n"
+                 "sharp       with 48 views 9.3 mm in front and 9.5 mm behind, with any number 9.6 "
+                 "mm in front and 9.9 mm behind\n"
                  "warning     invView is 0, which is ignored: views go from left to right\n"));
   QCOMPARE(run({"--info", "visual.json", "--json"}, m_folder->path()).err,
            QByteArray("hogelscope: command line: --json: is for a light field, not for a lens "

@@ -328,10 +328,8 @@ void TestSheet::mistakes_data() {
   row(render + QStringList{"--set", "psf.windowSize=3"}, session(),
       "s.json: cameras[0].psf.windowSize: must be 1 for a lens sheet, whose pixels have no "
       "directions to leak into");
-  row({"--measure", "--session", "s.json", "--output", "out"}, session(),
-      "s.json: display.kind: is \"sheet\", which --measure does not know");
   row({"--export", "pack", "--session", "s.json", "--output", "out.tif"}, session(),
-      "s.json: display.kind: is \"sheet\", which --export pack does not know");
+      "s.json: display.kind: is \"sheet\", which a pack does not know");
   row(render + QStringList{"--save-session", "visual.json"}, session(),
       "visual.json: cannot be written: it is visual.json, which is read: choose another name");
   row({"--export", "views", "--session", "s.json", "--output", "out"}, session(),

@@ -39,6 +39,22 @@ class Depth(FolderTest):
             hs.depth(session)
 
 
+class LensSheet(FolderTest):
+    def test_is_measured_but_not_swept(self):
+        """The functions themselves refuse, where the program's jobs look first."""
+        session = hs.Session({
+            "display": {"kind": "sheet", "calibration": {
+                "pitch": 5, "slope": -6, "center": 0.1, "dpi": 50, "panel": [90, 60], "cone": 40}},
+            "lightField": {"layout": "quilt", "file": "none_qs6x1a1.5.png"},
+            "cameras": [{"name": "a", "eye": [0, 0, 0.6]}]})
+        rows = hs.measure(session)
+        flips = [row for row in rows if row["figure"] == "flip"]
+        self.assertEqual(len(flips), 2)
+        self.assertAlmostEqual(flips[1]["closed_form"], 0.6 * 0.36397023, 6)
+        with self.assertRaisesRegex(hs.InputError, "which a sweep does not know"):
+            hs.sweep(session, {"parameters": {"camera.fov": [20, 30]}, "figures": ["mtf:0"]})
+
+
 class Measure(FolderTest):
     def test_is_what_the_program_says(self):
         session = hs.Session(small_session(

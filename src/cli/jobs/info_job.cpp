@@ -11,6 +11,7 @@
 #include "cli/terminal.h"
 #include "core/base/error.h"
 #include "core/base/text.h"
+#include "core/panel/sheet_numbers.h"
 #include "io/documents/session_file.h"
 #include "io/documents/sheet_file.h"
 #include "io/files/folders.h"
@@ -257,10 +258,33 @@ void printWords(std::ostream& out, bool isDocument, const OrderedSession& subjec
   printOrder(out, subject, assumed);
 }
 
+/// Prints what the sheet shows from its viewing distance, of an assumed number of views.
+void printSheetNumbers(std::ostream& out, const SheetDisplay& display) {
+  constexpr int views = 48;
+  constexpr int many = 100000;
+  const double distance = display.viewingDistance;
+  const Vec3 eye{0, 0, distance};
+  const SheetNumbers numbers = sheetNumbers(display, views, eye);
+  const auto depths = [&](int count) {
+    const SheetNumbers of = sheetNumbers(display, count, eye);
+    return rounded(1000 * of.depthFront, 1) + " mm in front and " +
+           rounded(1000 * of.depthBehind, 1) + " mm behind";
+  };
+  const double ipd = DepthParams().ipd;
+  out << "seen        at " << numberText(distance) << " m: the views begin again every "
+      << rounded(numbers.width(), 3) << " m, between the eyes (" << numberText(1000 * ipd)
+      << " mm) of " << rounded(100 * numbers.pseudoscopic(ipd), 1) << " % of heads\n"
+      << "views       of " << views << ": " << rounded(numbers.viewsPerMetre, 1)
+      << " pass in a metre, " << rounded(numbers.lobe, 2) << " (rms) mix in one place\n"
+      << "sharp       with " << views << " views " << depths(views) << ", with any number "
+      << depths(many) << "\n";
+}
+
 void printSheet(std::ostream& out, const SheetCalibration& calibration,
                 const std::vector<std::string>& warnings) {
   const SheetParams& params = calibration.params;
-  const LensSheet sheet({.calibration = calibration});
+  const SheetDisplay display{.calibration = calibration};
+  const LensSheet sheet(display);
   const auto millimetres = [](double length) { return rounded(1000 * length, 4) + " mm"; };
   const bool isUpright = calibration.cells == SheetCalibration{}.cells;
   out << "lens sheet  "
@@ -283,6 +307,7 @@ void printSheet(std::ostream& out, const SheetCalibration& calibration,
       << "°: " << rounded(2 * std::tan(radians(params.cone) / 2), 3)
       << " m wide at 1 m; taken for the lenses', whose pixels are then " << millimetres(sheet.gap())
       << " of air behind them\n";
+  printSheetNumbers(out, display);
   for (const std::string& warning : warnings) out << "warning     " << printable(warning) << "\n";
 }
 

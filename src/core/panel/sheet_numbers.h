@@ -52,7 +52,7 @@ SheetNumbers sheetNumbers(const SheetDisplay& display, int views, const Vec3& ey
 ///              · sinc(f z p/(N g))
 ///     up       sinc(f' p m/(1 + m²)) · sinc(f' q (1 − w)/m) · sinc(f' q),    f' = f (1 − z/D)
 ///
-/// D the viewing distance. Of the pixels' own quilt nothing is counted. Throws likewise.
+/// D the viewing distance. The quilt's own pixels are not counted. Throws likewise.
 double sheetContrast(const SheetDisplay& display, int views, double frequency, double z,
                      std::size_t axis);
 

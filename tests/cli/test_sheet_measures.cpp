@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Tests the figures of a lens sheet as a user meets them: --measure beside the formulas, written
+// out again here, and the jobs that are for displays of hogels.
+#include <QTemporaryDir>
+#include <QTest>
+#include <cmath>
+
+#include "tests/cli/csv.h"
+#include "tests/cli/program.h"
+#include "tests/io/documents.h"
+
+namespace {
+
+constexpr double views = 40;
+constexpr double slope = -5.6;
+constexpr double distance = 0.6;
+constexpr double eyeAt = 0.5;
+constexpr double eyeHeight = 0.05;
+constexpr double ipd = 0.063;
+
+const double q = 0.0254 / 200;
+const double p = 0.0254 / 40 / std::cos(std::atan(1 / slope));
+const double tangent = std::tan(22.5 * M_PI / 180);
+const double g = p / (2 * tangent);
+const double width = 400 * q;
+const double height = 240 * q;
+constexpr double w = 0.4;
+
+const QByteArray document = R"({"hogelscope": 1,
+  "display": {"kind": "sheet", "viewingDistance": 0.6, "emitter": [0.4, 1], "position": [1, 2, 3],
+    "calibration": {"pitch": 40, "slope": -5.6, "center": 0.3, "dpi": 200, "panel": [400, 240],
+      "cone": 45}},
+  "lightField": {"layout": "quilt", "file": "none_qs8x5a1.6.png"},
+  "cameras": [{"name": "one", "eye": [1, 2.05, 3.5], "lookat": [1, 2, 3], "fov": 10}]})";
+
+double sinc(double x) {
+  return x == 0 ? 1 : std::sin(M_PI * x) / (M_PI * x);
+}
+
+double depthOf(double spread, double sign) {
+  return p * eyeAt / (spread * eyeAt + sign * p);
+}
+
+/// A figure's closed form; NaN for those whose forms the tests of core and measure have.
+double lawOf(const QString& figure, const QString& unit, const QString& where) {
+  const double viewSlope = p / (views * g);
+  if (figure == "viewsPerMetre")
+    return (where.contains("panel") ? eyeAt * (1 / distance - 1 / eyeAt) : 1) / (viewSlope * eyeAt);
+  if (figure == "viewingCone") return unit == "m" ? 2 * eyeAt * tangent : 45;
+  if (figure == "flip")
+    return (where.startsWith("left") ? -1 : 1) * eyeAt * tangent - eyeHeight / slope;
+  if (figure == "pseudoscopic") return ipd / (2 * eyeAt * tangent);
+  if (figure == "lobe") return views * q / p * std::sqrt((w * w + 1 / (slope * slope)) / 12);
+  if (figure == "viewsFront") return depthOf(viewSlope, 1);
+  if (figure == "viewsBehind") return depthOf(viewSlope, -1);
+  if (figure == "viewingZone" && unit == "m")
+    return 2 * eyeAt * tangent - (width - height / slope) * (1 - eyeAt / distance);
+  if (figure == "mtf") {
+    const double f = 1000 * where.section('=', 1, 1).section('/', 0, 0).toDouble();
+    const double z = where.section("z=", 1, 1).section(' ', 0, 0).toDouble();
+    const double square = 1 + 1 / (slope * slope);
+    return std::abs(sinc(f * p * ((1 - z / distance) / square + z / distance)) *
+                    sinc(f * q * (1 - z / distance - w * z / g)) * sinc(f * q * z / (slope * g)) *
+                    sinc(f * z * viewSlope));
+  }
+  return std::nan("");
+}
+
+/// How far what is simulated may be from it: flips and depths lie between views.
+double allowed(const QString& figure, double law) {
+  if (figure == "mtf") return 0.02;
+  if (figure == "viewsPerMetre") return std::max(0.01 * std::abs(law), 0.5);
+  if (figure == "flip") return 1e-3;
+  return 0.02 * std::abs(law);
+}
+
+}  // namespace
+
+class TestSheetMeasures : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void init();
+  void figures();
+  void refusals_data();
+  void refusals();
+
+ private:
+  std::unique_ptr<QTemporaryDir> m_folder;
+};
+
+void TestSheetMeasures::init() {
+  m_folder = std::make_unique<QTemporaryDir>();
+  QVERIFY(QDir::setCurrent(m_folder->path()));
+  writeFile("s.json", document);
+}
+
+/// The quilt itself is not read. The display's place makes no difference.
+void TestSheetMeasures::figures() {
+  const Outcome outcome =
+      run({"--measure", "--session", "s.json", "--output", "out"}, m_folder->path());
+  QCOMPARE(outcome.err, QByteArray());
+  QCOMPARE(outcome.status, 0);
+  QVERIFY2(outcome.out.contains("  viewsPerMetre (to the eye's right z=0.5 m): "), outcome.out);
+  QList<QStringList> rows = tableOf("out/measure.csv");
+  QCOMPARE(rows.takeFirst().join(","), QString("figure,value,unit,where,closed_form,difference"));
+  QMap<QString, int> counts;
+  double farthestProfile = 0;
+  for (const QStringList& row : rows) {
+    QCOMPARE(row.size(), 6);
+    ++counts[row[0]];
+    const double value = row[1].toDouble();
+    const double form = row[4].toDouble();
+    const QByteArray line = row.join(" ").toUtf8();
+    if (const double law = lawOf(row[0], row[2], row[3]); !std::isnan(law)) {
+      QVERIFY2(std::abs(form - law) <= (row[0] == "mtf" ? 2e-3 : 1e-9), line);
+      QVERIFY2(std::abs(value - law) <= allowed(row[0], law), line);
+    }
+    if (row[0] == "spatialResolution" || row[0].startsWith("depth"))
+      QVERIFY2(std::abs(value - form) <= 0.03 * form, line);
+    if ((row[0] == "crosstalk" || row[0] == "angularProfile") && !row[4].isEmpty())
+      farthestProfile = std::max(farthestProfile, std::abs(value - form));
+    if (row[0] == "throughFocus") QVERIFY2(std::abs(value - form) < 0.03, line);
+  }
+  QVERIFY2(farthestProfile < 0.03, QByteArray::number(farthestProfile));
+  QCOMPARE(counts["mtf"], 41 * 24);
+  QCOMPARE(counts["viewingZone"], 1 + 41 * 25);
+  QCOMPARE(counts["crosstalk"], 19);
+  QCOMPARE(counts["spatialResolution"], 5);
+  // Figures of hogels alone are left out.
+  QCOMPARE(counts.keys().join(" "),
+           QString("angularProfile crosstalk depthBehind depthFront depthOfField depthOfField10 "
+                   "depthOfField50 flip lobe mtf pseudoscopic spatialResolution throughFocus "
+                   "viewingCone viewingZone viewsBehind viewsFront viewsPerMetre"));
+  QCOMPARE(namesIn("out/plots").filter(".svg"),
+           (QStringList{"angular_profile.svg", "crosstalk.svg", "mtf.svg", "through_focus.svg",
+                        "viewing_zone.svg"}));
+  const QByteArray page = contentOf("out/measure.html");
+  QVERIFY(page.contains("40 views under a lens sheet of"));
+  QVERIFY(!page.contains("hogel"));
+}
+
+void TestSheetMeasures::refusals_data() {
+  QTest::addColumn<QStringList>("arguments");
+  QTest::addColumn<QByteArray>("line");
+  const auto row = [](const QStringList& arguments, const QByteArray& line) {
+    QTest::newRow(arguments.join(" ").toUtf8()) << arguments << line;
+  };
+  row({"--measure", "--set", "lightField.file=quilt.png"},
+      "s.json: lightField.columns: and rows are missing: what a lens sheet shows depends on its "
+      "number of views");
+  row({"--depth"}, "s.json: display.kind: is \"sheet\", which a depth budget does not know");
+  row({"--tradeoff"}, "s.json: display.kind: is \"sheet\", which a trade-off does not know");
+  row({"--sweep", "t.json"}, "s.json: display.kind: is \"sheet\", which a sweep does not know");
+}
+
+void TestSheetMeasures::refusals() {
+  QFETCH(QStringList, arguments);
+  QFETCH(QByteArray, line);
+  writeFile("t.json", R"({"parameters": {"camera.fov": [20, 30]}, "figures": ["mtf:0"]})");
+  const Outcome outcome =
+      run(arguments + QStringList{"--session", "s.json", "--output", "out"}, m_folder->path());
+  QCOMPARE(outcome.status, 2);
+  compareLine(outcome.err.chopped(1), "hogelscope: " + line);
+  QVERIFY(!QFileInfo::exists("out"));
+}
+
+QTEST_GUILESS_MAIN(TestSheetMeasures)
+#include "test_sheet_measures.moc"
