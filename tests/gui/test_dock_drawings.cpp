@@ -10,6 +10,7 @@
 #include "gui/widgets/colours.h"
 #include "tests/gui/docks_test.h"
 #include "tests/gui/shown_image.h"
+#include "tests/io/documents.h"
 
 using namespace hogelscope;
 
@@ -56,6 +57,29 @@ class TestDockDrawings : public DocksTest {
     QVERIFY2(told("hogelArcmin").startsWith("61.4 arcmin"), qPrintable(told("hogelArcmin")));
     editor<QDoubleSpinBox>("cameraArea", "eye.2")->setValue(-1);  // behind the panel
     QVERIFY(told("hogelArcmin").startsWith("– "));
+  }
+
+  /// docs/formulas.md, Lens sheet; and those of hogels again.
+  void aLensSheetHasNumbersOfItsOwn() {
+    QImage quilt(32, 12, QImage::Format_RGB32);
+    quilt.fill(Qt::gray);
+    QVERIFY(quilt.save(m_folder.filePath("q_qs8x6a1.5.png")));
+    writeFile(m_folder.filePath("sheet.json"), R"({"hogelscope": 1,
+      "display": {"kind": "sheet", "calibration": {"pitch": 5, "slope": -6, "center": 0.1,
+        "dpi": 50, "panel": [180, 120], "cone": 40}},
+      "lightField": {"layout": "quilt", "file": "q_qs8x6a1.5.png"},
+      "cameras": [{"name": "a", "eye": [0, 0, 0.5], "fov": 20, "res": [40, 30]}]})");
+    open(m_folder.filePath("sheet.json"));
+    const auto told = [this](const char* name) { return child<QLabel>(name)->accessibleName(); };
+    QCOMPARE(told("hogelPitch"), QString("132 views/m, to the eye's side"));
+    QCOMPARE(told("hogelArcmin"), QString("40.0 °, viewing cone"));
+    QCOMPARE(told("degreesPerDirection"), QString("36.4 cm, between flips"));
+    QCOMPARE(told("directionsPerPupil"), QString("0.51 views, in one place, rms"));
+    QCOMPARE(told("megapixels"), QString("17.3 %, of heads at a flip"));
+    QVERIFY(child<QLabel>("hogelPitch")->toolTip().startsWith("How many views"));
+    openSmall();
+    QVERIFY2(told("hogelPitch").endsWith("hogel pitch"), qPrintable(told("hogelPitch")));
+    QVERIFY(child<QLabel>("hogelPitch")->toolTip().startsWith("The panel's size"));
   }
 
   /// More hogels are smaller, or with an open lock make a larger panel.

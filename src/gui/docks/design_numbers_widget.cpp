@@ -6,6 +6,7 @@
 #include "chart/depth_bar.h"
 #include "gui/session/session_forms.h"
 #include "gui/widgets/colours.h"
+#include "io/layouts/layouts.h"
 #include "io/scene/view_source.h"
 #include "ui_design_numbers.h"
 
@@ -27,6 +28,32 @@ QString inDigits(const std::array<double, 2>& pair, double factor = 1) {
 
 QString rangeText(const std::array<double, 2>& depths) {
   return inCentimetres(depths[0]) + "\u2009…\u2009" + inCentimetres(depths[1]);
+}
+
+/// A number of the card.
+struct NumberCell {
+  QLabel* label;
+  QString number;
+  QString unit;
+  QString caption;
+  QString tip = {};  ///< "": the form's own
+};
+
+void fillCell(const NumberCell& cell) {
+  const auto& [label, number, unit, caption, tip] = cell;
+  const Tokens& t = tokens();
+  label->setText(
+      QString("<span style='font-size: %1px; font-weight: 600'>%2</span><span style='font-size: "
+              "%3px; color: %4'> %5</span><br><span style='font-size: %3px; color: "
+              "%6'>%7</span>")
+          .arg(textFont(TextSize::number).pixelSize())
+          .arg(number)
+          .arg(textFont(TextSize::caption).pixelSize())
+          .arg(t.text3.name(), unit, t.text2.name(), caption));
+  label->setAccessibleName(QString("%1 %2, %3").arg(number, unit, caption));
+  constexpr const char* own = "tipOfTheForm";
+  if (!label->property(own).isValid()) label->setProperty(own, label->toolTip());
+  label->setToolTip(tip.isEmpty() ? label->property(own).toString() : tip);
 }
 
 }  // namespace
@@ -105,34 +132,80 @@ DesignNumbers DesignNumbersWidget::numbers() const {
   }
 }
 
+/// Returns none for a display of hogels, and where they cannot be worked out. Without a number of
+/// views what depends on it is 0.
+std::optional<SheetNumbers> DesignNumbersWidget::numbersOfSheet() const {
+  const Session& session = m_model->session();
+  if (!session.display.sheet) return std::nullopt;
+  const auto [columns, rows] = quiltTilesOf(session.lightField);
+  const Vec3 eye = eyePlaceOf(session.display, m_model->current().camera.eye).point;
+  try {
+    SheetNumbers numbers = sheetNumbers(*session.display.sheet, std::max(columns * rows, 1), eye);
+    if (columns * rows == 0)
+      numbers.viewsPerMetre = numbers.lobe = numbers.depthFront = numbers.depthBehind = 0;
+    return numbers;
+  } catch (const std::exception&) {
+    return std::nullopt;  // a figure of the calibration is missing
+  }
+}
+
+void DesignNumbersWidget::showHogels(const DesignNumbers& n) {
+  const bool isStrip = m_bar->isHidden();
+  for (const NumberCell& cell : std::initializer_list<NumberCell>{
+           {m_ui->hogelPitch, inDigits(n.hogelPitch, 1000), tr("mm"), tr("hogel pitch")},
+           {m_ui->hogelArcmin, inDigits(n.hogelArcmin), tr("arcmin"),
+            isStrip ? tr("at the eye") : tr("hogel pitch at the eye")},
+           {m_ui->degreesPerDirection, inDigits(n.degreesPerDirection), "°", tr("each direction")},
+           {m_ui->directionsPerPupil, inDigits(n.directionsPerPupil), "",
+            tr("directions in the pupil")},
+           {m_ui->megapixels, inDigits(n.megapixels), tr("Mpx"),
+            isStrip ? tr("pixels") : tr("pixels behind lenses")}})
+    fillCell(cell);
+}
+
+void DesignNumbersWidget::showSheet(const SheetNumbers& n) {
+  const double own = m_model->current().stereo.ipd;
+  const double ipd = own > 0 ? own : m_model->session().depth.ipd;
+  for (const NumberCell& cell : std::initializer_list<NumberCell>{
+           {m_ui->hogelPitch, inDigits(n.viewsPerMetre), tr("views/m"), tr("to the eye's side"),
+            tr("How many views pass as the eye moves sideways by a metre")},
+           {m_ui->hogelArcmin, inDigits(n.cone), "°", tr("viewing cone"),
+            tr("The angle into which the lenses spread the views once")},
+           {m_ui->degreesPerDirection, inDigits(100 * n.width()), tr("cm"), tr("between flips"),
+            tr("The width of the viewing cone at the eye's distance. Beyond it the views begin "
+               "again")},
+           {m_ui->directionsPerPupil, inDigits(n.lobe), tr("views"), tr("in one place, rms"),
+            tr("What one place sees about its own view: the width of a sub-pixel and the lenses' "
+               "slant mix neighbours")},
+           {m_ui->megapixels, inDigits(100 * n.pseudoscopic(ipd)), "%", tr("of heads at a flip"),
+            tr("The share of places of a head from which a flip lies between its eyes, so that "
+               "they see their pictures exchanged")}})
+    fillCell(cell);
+}
+
 void DesignNumbersWidget::showNumbers() {
-  setHidden(m_model->session().display.sheet.has_value());  // they are of hogels
-  const Tokens& t = tokens();
-  const DesignNumbers n = m_bar->numbers = numbers();
+  const bool isSheet = m_model->session().display.sheet.has_value();
+  const std::optional<SheetNumbers> sheet = numbersOfSheet();
+  setHidden(isSheet && !sheet);
+  DesignNumbers n;
+  if (sheet) {
+    showSheet(*sheet);
+    n.distance = sheet->distance;
+    n.depthFront = sheet->depthFront;
+    n.depthBehind = sheet->depthBehind;
+  } else {
+    n = numbers();
+    showHogels(n);
+  }
+  m_bar->numbers = n;
   m_bar->update();
   const std::array sharp{-n.depthBehind, n.depthFront};
-  const auto say = [&](QLabel* cell, const QString& number, const QString& unit,
-                       const QString& caption) {
-    cell->setText(
-        QString("<span style='font-size: %1px; font-weight: 600'>%2</span><span style='font-size: "
-                "%3px; color: %4'> %5</span><br><span style='font-size: %3px; color: "
-                "%6'>%7</span>")
-            .arg(textFont(TextSize::number).pixelSize())
-            .arg(number)
-            .arg(textFont(TextSize::caption).pixelSize())
-            .arg(t.text3.name(), unit, t.text2.name(), caption));
-    cell->setAccessibleName(QString("%1 %2, %3").arg(number, unit, caption));
-  };
-  say(m_ui->hogelPitch, inDigits(n.hogelPitch, 1000), tr("mm"), tr("hogel pitch"));
-  const bool isStrip = m_bar->isHidden();
-  say(m_ui->hogelArcmin, inDigits(n.hogelArcmin), tr("arcmin"),
-      isStrip ? tr("at the eye") : tr("hogel pitch at the eye"));
-  say(m_ui->degreesPerDirection, inDigits(n.degreesPerDirection), "°", tr("each direction"));
-  say(m_ui->directionsPerPupil, inDigits(n.directionsPerPupil), "", tr("directions in the pupil"));
-  say(m_ui->megapixels, inDigits(n.megapixels), tr("Mpx"),
-      isStrip ? tr("pixels") : tr("pixels behind lenses"));
-  say(m_ui->sharpDepths, n.depthFront > 0 ? rangeText(sharp) : "–", "",
-      tr("sharp for this eye, cm"));
+  fillCell({m_ui->sharpDepths, n.depthFront > 0 ? rangeText(sharp) : "–", "",
+            tr("sharp for this eye, cm"),
+            isSheet ? tr("The depths behind (−) and in front (+) of the panel where the light of "
+                         "one view looks no wider than a lens")
+                    : QString()});
+  const Tokens& t = tokens();
   QString legend = tr("<span style='color: %1'>■</span> sharp").arg(t.good.name());
   if (m_bar->content) {
     const auto [back, front] = *m_bar->content;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Shows what the display can show to the current eye: a card of six numbers, and the depths that
-// are sharp, beside those of the content. It follows the session's edits and needs no picture.
+// Shows what the display can show to the current eye: a card of six numbers, those of hogels or of
+// a lens sheet, and the depths that are sharp, beside those of the content. It follows the
+// session's edits and needs no picture.
 #pragma once
 
 #include <QWidget>
@@ -8,6 +9,7 @@
 #include <optional>
 
 #include "core/panel/design_numbers.h"
+#include "core/panel/sheet_numbers.h"
 #include "gui/session/session_model.h"
 
 namespace Ui {
@@ -37,7 +39,10 @@ class DesignNumbersWidget : public QWidget {
  private:
   void arrangeStrip();
   void showNumbers();
+  void showHogels(const DesignNumbers& numbers);
+  void showSheet(const SheetNumbers& numbers);
   [[nodiscard]] DesignNumbers numbers() const;
+  [[nodiscard]] std::optional<SheetNumbers> numbersOfSheet() const;
 
   std::unique_ptr<Ui::DesignNumbers> m_ui;
   const SessionModel* m_model;
