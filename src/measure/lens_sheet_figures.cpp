@@ -2,12 +2,14 @@
 // What a lens sheet shows of its views, counted over rays: views per metre, flips, cone, crosstalk
 // of views and of two eyes. The names of figures that displays of hogels have too mean the same.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <complex>
+#include <limits>
 #include <numbers>
+#include <string>
 
 #include "core/base/text.h"
-#include "core/panel/depth_budget.h"
 #include "core/panel/sheet_numbers.h"
 #include "measure/contrast.h"
 #include "measure/measurement.h"
@@ -42,10 +44,12 @@ struct Sheet {
   [[nodiscard]] SheetNumbers numbers(const Vec3& eye) const {
     return sheetNumbers(display, views, eye);
   }
-  /// A few lenses in the panel's middle, along most of its height: a whole number of views to the
-  /// eye wherever it is, and many phases of pixels to lenses.
+  /// A few lenses in the panel's middle, along most of its height: many phases of pixels to lenses,
+  /// and hardly more than one view to the eye.
   [[nodiscard]] Spot middle(const Bench& bench) const {
-    return {{}, std::min(24 * bench.pitch(0), size[0] / 2), 0.8 * size[1], -perSlope};
+    const double turning = std::abs(numbers(bench.eye()).viewsPerPanelMetre);
+    return {
+        {}, std::min({24 * bench.pitch(0), size[0] / 2, 0.3 / turning}), 0.8 * size[1], -perSlope};
   }
   const SheetDisplay& display;
   int views;
@@ -217,7 +221,7 @@ void addWhole(const Bench& bench, std::vector<Measurement>& all) {
       {"viewingZone", "m", "whole panel across z=" + metres(eye.z),
        [=](Bench& b) {
          const Sheet sheet(b);
-         const double side = 24 * b.pitch(0);
+         const double side = 8 * b.pitch(0);
          double low = -infinite;
          double high = infinite;
          for (const double right : {-0.5, 0.5})

@@ -37,8 +37,8 @@ struct Measured {
   bool replacedAnother = false;  ///< the journal of another run
 };
 
-/// Returns the display of a session; a lens sheet's directions are the views of its quilt. The light
-/// field is opened only if a display of hogels leaves out its hogels or directions. Throws
+/// Returns the display of a session; a lens sheet's directions are the views of its quilt. The
+/// light field is opened only if a display of hogels leaves out its hogels or directions. Throws
 /// InputError, Cancelled.
 PanelParams displayToMeasure(const Session& session, const Progress& progress);
 

@@ -69,7 +69,7 @@ double lawOf(const QString& figure, const QString& unit, const QString& where) {
 /// How far what is simulated may be from it: flips and depths lie between views.
 double allowed(const QString& figure, double law) {
   if (figure == "mtf") return 0.02;
-  if (figure == "viewsPerMetre") return std::max(0.01 * std::abs(law), 0.5);
+  if (figure == "viewsPerMetre") return 1;  // 1/60 view from one end of the panel to the other
   if (figure == "flip") return 1e-3;
   return 0.02 * std::abs(law);
 }

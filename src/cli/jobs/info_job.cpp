@@ -11,6 +11,7 @@
 #include "cli/terminal.h"
 #include "core/base/error.h"
 #include "core/base/text.h"
+#include "core/panel/depth_budget.h"
 #include "core/panel/sheet_numbers.h"
 #include "io/documents/session_file.h"
 #include "io/documents/sheet_file.h"
