@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "picture/scene_text.h"
 
+#include <array>
 #include <cmath>
 
 #include "core/panel/viewing_zone.h"
@@ -17,10 +18,51 @@ int floorIndex(double index) {
   return static_cast<int>(std::floor(index));
 }
 
+/// An eye before a lens sheet, whose views are seen once between two flips and again beyond them.
+QString sheetEye(const QString& name, const PanelParams& display, const Vec3& eye) {
+  const Vec3 at = eyePlaceOf(display, eye).point;
+  if (!(at.z > 0)) return SceneText::tr("%1: ⚠ behind the panel").arg(name);
+  const SheetParams& params = display.sheet->calibration.params;
+  const double cone = 2 * at.z * std::tan(radians(params.cone) / 2);  // its width there
+  const double across = at.x + at.y / params.slope;
+  const QString way = SceneText::length(cone / 2 - std::abs(std::remainder(across, cone)));
+  return std::abs(across) <= cone / 2
+             ? SceneText::tr("%1: between the flips, %2 from the next one").arg(name, way)
+             : SceneText::tr(
+                   "%1: ⚠ beyond a flip, where views are seen again, %2 from the next one")
+                   .arg(name, way);
+}
+
+/// Which sub-pixels of a lens sheet's panel a ray meets, and which views these show.
+QString subPixels(const PixelTrace& trace, const PanelParams& display, int views) {
+  const hogelscope::Display sheet(display);
+  const Vec3 eye = sheet.displayFromWorld().point(trace.eye);
+  const Vec3 way = sheet.displayFromWorld().direction(trace.target - trace.eye);
+  const std::array names{SceneText::tr("red"), SceneText::tr("green"), SceneText::tr("blue")};
+  QString text;
+  for (std::size_t channel = 0; channel < names.size(); ++channel) {
+    const std::optional<Hit> at = sheet.hit(eye, way, channel);
+    if (!at) {
+      text += SceneText::tr("\n%1: beside the panel").arg(names[channel]);
+      continue;
+    }
+    const int column = floorIndex(at->i);
+    const int row = floorIndex(at->j);
+    text += SceneText::tr("\n%1: column %2, row %3 · view %4 of 0 … %5")
+                .arg(names[channel])
+                .arg(column)
+                .arg(row)
+                .arg(sheet.sheet()->viewOf(column, row, channel, views))
+                .arg(views - 1);
+  }
+  return text;
+}
+
 }  // namespace
 
 QString SceneText::eye(const CameraState& state, const PanelParams& display) {
   const QString name = QString::fromStdString(state.camera.name);
+  if (display.sheet) return sheetEye(name, display, state.camera.eye);
   const double share = shareSeenFrom(display, state.camera.eye);
   if (share == 0) return tr("%1: ⚠ outside the viewing zone, no hogel lights this eye").arg(name);
   return tr("%1: %2 % of the panel lights this eye").arg(name, number(100 * share, 1));
@@ -40,7 +82,7 @@ QString SceneText::pixel(int x, int y, const PixelTrace& trace) {
   return text;
 }
 
-QString SceneText::ray(const PixelTrace& trace) {
+QString SceneText::ray(const PixelTrace& trace, const PanelParams& display, int views) {
   if (trace.end == RayEnd::noRay) return {};
   const auto point = [](const Vec3& p) {
     return tr("(%1, %2, %3) m").arg(number(p.x, 4), number(p.y, 4), number(p.z, 4));
@@ -48,7 +90,9 @@ QString SceneText::ray(const PixelTrace& trace) {
   QString text = tr("\nray from %1 to %2").arg(point(trace.eye), point(trace.target));
   if (!trace.place) return text;
   const Hit& at = *trace.place;
-  if (trace.end != RayEnd::misses)
+  if (display.sheet)
+    text += subPixels(trace, display, views);
+  else if (trace.end != RayEnd::misses)
     text += tr("\nhogel i %1, j %2 · direction u %3, v %4 (at %5, %6, %7, %8)")
                 .arg(floorIndex(at.i))
                 .arg(floorIndex(at.j))
@@ -99,6 +143,20 @@ QString SceneText::measured(const std::vector<Vec3>& points) {
   const Vec3 way = points[1] - points[0];
   return tr("Distance %1 · Δx %2, Δy %3, Δz %4")
       .arg(length(hogelscope::length(way)), length(way.x), length(way.y), length(way.z));
+}
+
+QString SceneText::sheet(const SheetDisplay& display) {
+  const LensSheet sheet(display);
+  const auto& [pitch, slope, center, dpi, panel, cone] = display.calibration.params;
+  const QString serial = QString::fromStdString(display.calibration.serial);
+  return (serial.isEmpty() ? QString() : serial.toHtmlEscaped() + " · ") +
+         tr("%1 × %2 px of %3 mm · %4 lenses, %5 apart, leaning %6° to the %7 · cone %8°")
+             .arg(panel[0])
+             .arg(panel[1])
+             .arg(number(1000 * sheet.pixel(), 4), number(sheet.lenses(), 1),
+                  length(sheet.period()), number(std::abs(sheet.slant()), 2),
+                  sheet.slant() > 0 ? tr("right") : tr("left"))
+             .arg(cone);
 }
 
 QString SceneText::hogelName(int i, int j) {

@@ -101,16 +101,15 @@ VtkMesh toVtkMesh(const plugin::Triangles& triangles)
   return mesh;
 }
 
-void setBody(vtkPolyData* data, const PanelParams& display,
-  const std::vector<ZoneSection>& sections, bool hasFaces)
+void setBody(vtkPolyData* data, const std::vector<std::vector<Vec3>>& sections, bool hasFaces)
 {
   const vtkNew<vtkPoints> points;
   const vtkNew<vtkCellArray> faces;
   const vtkNew<vtkCellArray> edges;
 
-  for (const ZoneSection& section : sections)
+  for (const std::vector<Vec3>& section : sections)
   {
-    for (const Vec3& p : cornersOf(display, section))
+    for (const Vec3& p : section)
     {
       points->InsertNextPoint(p.x, p.y, p.z);
     }

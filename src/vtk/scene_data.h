@@ -33,9 +33,8 @@ VtkImage toVtkImage(vtkImageData& view, const std::array<std::uint8_t, 3>& unsee
 /// half a million; null if there are none.
 VtkMesh toVtkMesh(const plugin::Triangles& triangles);
 
-/// Sets the body between sections of the viewing zone, in the world, with its edges as lines and,
-/// if wanted, its faces as quads.
-void setBody(vtkPolyData* data, const PanelParams& display,
-  const std::vector<ZoneSection>& sections, bool hasFaces);
+/// Sets the body between quadrangles, in the world, with its edges as lines and, if wanted, its
+/// faces as quads.
+void setBody(vtkPolyData* data, const std::vector<std::vector<Vec3>>& sections, bool hasFaces);
 
 } // namespace hogelscope

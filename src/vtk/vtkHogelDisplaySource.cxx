@@ -11,6 +11,7 @@
 #include <vtkPolyData.h>
 
 #include <algorithm>
+#include <cmath>
 
 vtkStandardNewMacro(vtkHogelDisplaySource);
 
@@ -70,6 +71,31 @@ int lineStep(int cells, double size, double spacing)
   return step;
 }
 
+void fillLenses(const hogelscope::DisplayParams& display, double spacing, vtkPolyData* output)
+{
+  PanelPoints points(display);
+  vtkNew<vtkCellArray> lines;
+  const hogelscope::LensSheet sheet(*display.sheet);
+  // The way of a lens to the left along the panel's height, in parts of the width.
+  const double tilt = display.size[1] / display.size[0] / sheet.calibration().params.slope;
+  constexpr double sparse = 2;
+  const int step = lineStep(int(sheet.lenses()), display.size[0], sparse * spacing);
+  const double apart = step / sheet.lenses();
+  const int reach = int((1 + std::abs(tilt)) / 2 / apart);
+  for (int k = -reach; k <= reach; ++k)
+  {
+    const double x = k * apart; // at half the height
+    const auto [low, high] = std::minmax({ (x - 0.5) / tilt, (x + 0.5) / tilt });
+    const double from = std::max(low, -0.5);
+    const double to = std::min(high, 0.5);
+    lines->InsertNextCell(2);
+    lines->InsertCellPoint(points.Add(x - from * tilt, from));
+    lines->InsertCellPoint(points.Add(x - to * tilt, to));
+  }
+  output->SetPoints(points.Get());
+  output->SetLines(lines);
+}
+
 void fillGrid(const hogelscope::DisplayParams& display, double spacing, vtkPolyData* output)
 {
   PanelPoints points(display);
@@ -123,7 +149,8 @@ int vtkHogelDisplaySource::RequestData(
     return 1; // no display yet: empty outputs
   }
   fillPanel(this->Display, vtkPolyData::GetData(outputVector, 0));
-  fillGrid(this->Display, this->Spacing, vtkPolyData::GetData(outputVector, 1));
+  const auto fill = this->Display.sheet ? fillLenses : fillGrid;
+  fill(this->Display, this->Spacing, vtkPolyData::GetData(outputVector, 1));
   return 1;
 }
 

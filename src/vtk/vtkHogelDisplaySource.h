@@ -5,7 +5,8 @@
  *
  * Port 0 has the panel, one quad whose texture coordinates are (0, 0) at its lower left. Port 1 has
  * the borders of the hogels as lines; if they are closer to each other than Spacing, only every
- * 2nd, 4th, 8th … of them.
+ * 2nd, 4th, 8th … of them. Of a lens sheet it has lines along the lenses, twice as far apart,
+ * because they are over the picture too.
  */
 #ifndef vtkHogelDisplaySource_h
 #define vtkHogelDisplaySource_h

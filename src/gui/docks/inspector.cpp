@@ -108,9 +108,11 @@ void Inspector::showPixel(const PickedView& view, const QPoint& shown) {
   showNeighbours(shown);
   const bool hasFocus = shown == m_focused && !m_focusText.isEmpty();
   m_ui->inspectorValues->setText(SceneText::pixel(pixel.x(), pixel.y(), trace) + valuesAt(shown) +
-                                 SceneText::ray(trace) + (hasFocus ? '\n' + m_focusText : ""));
+                                 SceneText::ray(trace, job.display, m_scene->views()) +
+                                 (hasFocus ? '\n' + m_focusText : ""));
   m_ui->inspectorValues->show();
-  if (trace.end != RayEnd::seen && trace.end != RayEnd::outsideField) return;
+  const bool hasHogel = trace.end == RayEnd::seen || trace.end == RayEnd::outsideField;
+  if (!hasHogel || job.display.sheet) return;
   showPictureOf(job, cellOf(trace.place->i, trace.place->j));
   if (trace.end == RayEnd::seen) showDirection(job, *trace.place);
 }

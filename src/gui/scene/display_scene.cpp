@@ -38,7 +38,7 @@ Vec3 vec3(const double* p) {
 /// eye; without a plane where there is no limit.
 std::vector<std::vector<Vec3>> depthPlanes(const PanelParams& display, const Vec3& eye) {
   std::vector<std::vector<Vec3>> planes;
-  if (display.hogels[0] < 1 || display.directions[0] < 1) return planes;
+  if (display.sheet || display.hogels[0] < 1 || display.directions[0] < 1) return planes;
   const DesignNumbers numbers = designNumbers(display, eye);
   const std::array<double, 2> half{display.size[0] / 2, display.size[1] / 2};
   for (const double z : {numbers.depthFront, -numbers.depthBehind})
@@ -114,6 +114,7 @@ void DisplayScene::paintOver(QPainter& painter, bool hasArrows) const {
   };
   if (m_hasDepths)
     for (const std::vector<Vec3>& plane : m_depths) overlay.sharpDepths.push_back(outline(plane));
+  overlay.isSheet = m_display.sheet.has_value();
   overlay.wholeZone = outline(m_wholeZone);
   overlay.someZone = outline(m_someZone);
   if (!QRectF(m_widget.rect()).contains(overlay.someZone.boundingRect())) overlay.someZone.clear();
@@ -172,8 +173,12 @@ void DisplayScene::show(const PanelParams& display, const std::vector<CameraStat
   const bool hasCurrent = current < states.size() && hasFrame(states[current].camera);
   m_zone.show(display, farthest);
   const Vec3 eye = hasCurrent ? states[current].camera.eye : display.position;
-  m_wholeZone = zoneAt(display, ViewingZone::wholePanel, eye);
-  m_someZone = zoneAt(display, ViewingZone::someOfThePanel, eye);
+  const auto outline = [&](ViewingZone zone, int cones) {
+    return display.sheet ? coneOf(display, cones, display.sheet->viewingDistance)
+                         : zoneAt(display, zone, eye);
+  };
+  m_wholeZone = outline(ViewingZone::wholePanel, 1);
+  m_someZone = outline(ViewingZone::someOfThePanel, 3);
   m_depths = depthPlanes(display, eye);
   m_marks = panelCorners();
   for (const CameraState& state : states) m_marks.push_back(state.camera.eye);

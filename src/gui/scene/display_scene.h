@@ -124,10 +124,11 @@ class DisplayScene : public QObject {
   QTimer* m_eyeTimer;
   const Tokens* m_colours = &tokens();
   QColor m_background;
-  std::size_t m_current = 0;                  ///< state
-  std::vector<Vec3> m_marks;                  ///< panel corners, eyes, the current look-at point
-  std::vector<Vec3> m_wholeZone, m_someZone;  ///< outlines at the current eye's depth
-  std::vector<std::vector<Vec3>> m_depths;    ///< corners of the planes of sharp depths
+  std::size_t m_current = 0;  ///< state
+  std::vector<Vec3> m_marks;  ///< panel corners, eyes, the current look-at point
+  /// Outlines at the current eye's depth, or of a sheet's cones at its viewing distance.
+  std::vector<Vec3> m_wholeZone, m_someZone;
+  std::vector<std::vector<Vec3>> m_depths;  ///< corners of the planes of sharp depths
   bool m_hasDepths = false;
   std::vector<Vec3> m_measured;  ///< up to two points
   bool m_hasScaleBar = true;

@@ -6,6 +6,7 @@
 #include <vtkRenderer.h>
 #include <vtkTrivialProducer.h>
 #include <algorithm>
+#include <cmath>
 
 #include "gui/scene/scene_actor.h"
 #include "vtk/scene_data.h"
@@ -24,12 +25,15 @@ PanelActors::PanelActors(vtkRenderer* renderer) {
 }
 
 void PanelActors::setColours(const Tokens& colours) {
-  setColour(m_grid->GetProperty(), colours.text3);
+  m_colours = &colours;
+  updateGrid();
   setColour(m_edge->GetProperty(), colours.text);
 }
 
 void PanelActors::setDisplay(const DisplayParams& display) {
   m_source->SetDisplay(display);
+  m_isSheet = display.sheet.has_value();
+  updateGrid();
 }
 
 void PanelActors::setImage(vtkImageData* image) {
@@ -50,7 +54,8 @@ void PanelActors::setGridVisible(bool isVisible) {
 }
 
 void PanelActors::updateGrid() {
-  m_grid->SetVisibility(m_isGridWanted || m_panel->GetTexture() == nullptr);
+  setColour(m_grid->GetProperty(), m_isSheet ? m_colours->good : m_colours->text3);
+  m_grid->SetVisibility(m_isGridWanted || m_isSheet || m_panel->GetTexture() == nullptr);
 }
 
 int PanelActors::gridLines() const {
@@ -68,6 +73,17 @@ void addLines(vtkRenderer* renderer, vtkActor* actor, vtkPolyData* lines) {
 }
 
 }  // namespace
+
+std::vector<Vec3> coneOf(const PanelParams& display, int times, double z) {
+  const SheetParams& params = display.sheet->calibration.params;
+  const RigidTransform world = transformFromPose(display.position, display.orientation);
+  const double side = times * z * std::tan(radians(params.cone) / 2);
+  const double top = display.size[1] / 2;
+  const auto corner = [&](double across, double y) {
+    return world.point({across - y / params.slope, y, z});
+  };
+  return {corner(-side, -top), corner(side, -top), corner(side, top), corner(-side, top)};
+}
 
 ZoneActors::ZoneActors(vtkRenderer* renderer) {
   addLines(renderer, m_someEdges, m_some);
@@ -89,8 +105,18 @@ void ZoneActors::show(const PanelParams& display, double farthest) {
   if (m_farthest == farthest && m_display == display) return;
   m_display = display;
   m_farthest = farthest;
-  setBody(m_whole, display, sectionsOf(display, ViewingZone::wholePanel, farthest), true);
-  setBody(m_some, display, sectionsOf(display, ViewingZone::someOfThePanel, farthest), false);
+  const auto body = [&](vtkPolyData* data, ViewingZone zone) {
+    const bool isWhole = zone == ViewingZone::wholePanel;
+    std::vector<std::vector<Vec3>> corners;
+    if (display.sheet)
+      for (const double z : {0.0, farthest}) corners.push_back(coneOf(display, isWhole ? 1 : 3, z));
+    else
+      for (const ZoneSection& section : sectionsOf(display, zone, farthest))
+        corners.push_back(cornersOf(display, section));
+    setBody(data, corners, isWhole);
+  };
+  body(m_whole, ViewingZone::wholePanel);
+  body(m_some, ViewingZone::someOfThePanel);
 }
 
 void ZoneActors::setVisible(bool isVisible) {

@@ -8,6 +8,8 @@
 #include <vtkPolyData.h>
 #include <vtkTexture.h>
 
+#include <vector>
+
 #include "core/panel/display.h"
 #include "core/panel/viewing_zone.h"
 #include "gui/widgets/colours.h"
@@ -24,7 +26,8 @@ class PanelActors {
 
   void setColours(const Tokens& colours);
   void setDisplay(const DisplayParams& display);
-  /// Sets an RGB image of the whole panel; null: none. The grid is shown without an image.
+  /// Sets an RGB image of the whole panel; null: none. The grid is shown without an image, a lens
+  /// sheet's lines always.
   void setImage(vtkImageData* image);
   /// Shows the grid over an image too.
   void setGridVisible(bool isVisible);
@@ -42,10 +45,18 @@ class PanelActors {
   vtkNew<vtkActor> m_edge;
   vtkNew<vtkTexture> m_image;
   bool m_isGridWanted = false;
+  bool m_isSheet = false;
+  const Tokens* m_colours = &tokens();
 };
 
+/// Returns the corners, in order around it, of the place `z` metres before a lens sheet where its
+/// middle shows the views `times` times side by side, as high as the panel; once is between two
+/// flips. At the viewing distance this holds for the whole panel.
+std::vector<Vec3> coneOf(const PanelParams& display, int times, double z);
+
 /// The display's viewing zone in the 3-D scene: a translucent body of the points that see the whole
-/// panel, and lines around those that see part of it.
+/// panel, and lines around those that see part of it. Of a lens sheet the body is where its middle
+/// shows the views once, and the lines have the cones beside it too.
 class ZoneActors {
  public:
   explicit ZoneActors(vtkRenderer* renderer);

@@ -17,6 +17,7 @@
 #include "gui/session/session_model.h"
 #include "gui/widgets/colours.h"
 #include "gui/widgets/command.h"
+#include "io/layouts/layouts.h"
 #include "picture/scene_text.h"
 
 namespace hogelscope {
@@ -322,6 +323,7 @@ void SceneController::connectScene() {
 void SceneController::setSource(const std::optional<ViewSource>& scene) {
   m_loaded = scene;
   m_display = scene ? scene->display : displayOf(m_model->session());
+  if (m_display.sheet) m_display.fov = {179.9, 179.9};  // beside its cone views are seen again
   m_scene->twin().show(m_display, scene ? scene->twin.get() : nullptr);
   m_worker->setSource(scene);
   if (!scene) {
@@ -457,7 +459,7 @@ void SceneController::pickAt(int x, int y) {
   const std::vector<int> states = m_scene->statesAt(x, y);
   if (states.empty()) {
     const std::optional<Hit> hogel = m_scene->hogelAt(x, y);
-    if (hogel) showHogel(int(hogel->i), int(hogel->j));
+    if (hogel && !m_display.sheet) showHogel(int(hogel->i), int(hogel->j));
     return;
   }
   const auto next = std::upper_bound(states.begin(), states.end(), int(m_model->currentIndex()));
@@ -539,6 +541,11 @@ std::optional<PickedView> SceneController::viewAt(const QPoint& pixel) const {
   return PickedView{*view, eye.pixel};
 }
 
+int SceneController::views() const {
+  const auto [columns, rows] = quiltTilesOf(m_model->session().lightField);
+  return columns * rows;
+}
+
 void SceneController::setEyes(StereoView eyes) {
   if (std::exchange(m_eyes, eyes) == eyes) return;
   forgetPicks();
@@ -566,7 +573,7 @@ void SceneController::tracePixel() {
     m_pickText = SceneText::pixel(view->pixel.x(), view->pixel.y(), traced);
     if (traced.end == RayEnd::noRay) return;
     m_scene->picked().showRay(traced.eye, traced.target);
-    if (traced.end == RayEnd::misses) return;
+    if (traced.end == RayEnd::misses || m_display.sheet) return;
     const int i = int(traced.place->i);
     const int j = int(traced.place->j);
     m_scene->picked().showHogel(m_display, i, j, hogelImageOf(*m_loaded->lightField, i, j));
@@ -580,7 +587,9 @@ void SceneController::showText() {
   m_forget->setEnabled(measures || !m_pickText.isEmpty());
   Q_EMIT pickChanged();
   if (m_model->session().cameras.empty()) return m_readout->clear();
-  const QString hint = tr("Click a frustum, a hogel, or a pixel of the simulated view.");
+  const QString hint = m_display.sheet
+                           ? tr("Click a frustum, or a pixel of the simulated view.")
+                           : tr("Click a frustum, a hogel, or a pixel of the simulated view.");
   m_readout->setText(SceneText::eye(m_model->current(), m_display) + '\n' +
                      (measures               ? SceneText::measured(m_scene->measured())
                       : m_pickText.isEmpty() ? hint

@@ -63,6 +63,8 @@ class SceneController : public QObject {
   /// Returns the view of the eye that a pixel of the simulated view belongs to, and the pixel
   /// there; none without a light field or a state, or outside the image.
   [[nodiscard]] std::optional<PickedView> viewAt(const QPoint& pixel) const;
+  /// Returns the number of views of the session's quilt; 0 for other light fields.
+  [[nodiscard]] int views() const;
   [[nodiscard]] const std::optional<QPoint>& pickedPixel() const { return m_pixel; }
   /// The hogel picked in the scene.
   [[nodiscard]] const std::optional<QPoint>& pickedHogel() const { return m_hogel; }

@@ -145,8 +145,12 @@ void SceneOverlay::paint(QPainter& painter, const QSizeF& size, const Tokens& co
   painter.setFont(textFont(TextSize::caption));
   if (pixelSize > 0) overlay.scaleBar(pixelSize);
   const double right = size.width() - margin;
-  double next = overlay.zone(someZone, right, Overlay::tr("sees a part"), Qt::DashLine);
-  next = overlay.zone(wholeZone, next, Overlay::tr("viewing zone"), Qt::SolidLine);
+  double next =
+      overlay.zone(someZone, right,
+                   isSheet ? Overlay::tr("views again") : Overlay::tr("sees a part"), Qt::DashLine);
+  next = overlay.zone(wholeZone, next,
+                      isSheet ? Overlay::tr("between flips") : Overlay::tr("viewing zone"),
+                      Qt::SolidLine);
   for (const QPolygonF& plane : sharpDepths)
     overlay.zone(plane, next, Overlay::tr("sharp depths"), Qt::DotLine);
   for (const AxisArrow& arrow : arrows) overlay.arrow(arrow);

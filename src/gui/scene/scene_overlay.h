@@ -25,6 +25,7 @@ struct SceneOverlay {
   std::vector<std::pair<QPointF, QColor>> balls;
   double pixelSize = 0;                       ///< metres at the panel; 0: no scale bar
   QPolygonF wholeZone, someZone;              ///< outlines, solid and dashed; empty: none
+  bool isSheet = false;                       ///< they are of a lens sheet's cones
   std::vector<QPolygonF> sharpDepths;         ///< outlines of planes, dotted
   std::optional<std::array<double, 2>> psnr;  ///< dB, the least and the largest
   QString label;                              ///< below `labelPlace`
