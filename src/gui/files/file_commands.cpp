@@ -22,6 +22,7 @@
 #include "gui/widgets/task.h"
 #include "io/documents/calibration_file.h"
 #include "io/documents/session_file.h"
+#include "io/documents/sheet_file.h"
 #include "io/opening/opening.h"
 #include "io/scene/live_file.h"
 
@@ -79,6 +80,11 @@ FileCommands::FileCommands(QMenu* menu, SessionModel* model, QWidget* window)
     watchFiles();
     m_watch->know(fullPath(m_model->file()));
   });
+  for (const auto change : {&SessionModel::opened, &SessionModel::contentChanged})
+    connect(m_model, change, this, [this] {
+      const auto& sheet = m_model->session().display.sheet;
+      if (sheet && !sheet->file.empty()) rememberSheet(QString::fromStdString(sheet->file));
+    });
   // The next picture is of another session than the file that waits for one.
   connect(m_model, &SessionModel::opened, this, [this] { m_unpictured.clear(); });
   connect(m_watch, &FileWatch::changed, this, &FileCommands::takeChange);
@@ -97,8 +103,9 @@ void FileCommands::addCommands(QMenu* menu) {
         if (mayLeave()) m_model->openNew(newSession());
       });
   add({"openAction", tr("&Open session…"),
-       tr("Opens a session: display, light field and camera states"), Qt::CTRL | Qt::Key_O,
-       tr("Open")},
+       tr("Opens a session: display, light field and camera states; or shows a quilt on the lens "
+          "sheet of a visual.json"),
+       Qt::CTRL | Qt::Key_O, tr("Open")},
       [this] { openChosen(chooseFile(m_window, tr("Open session"), sessionFilter())); });
   auto* recent = menu->addMenu(tr("Open &recent"));
   recent->setObjectName("recentMenu");
@@ -173,29 +180,59 @@ bool FileCommands::open(const QString& file) {
 
 /// Opens a file after it has been analysed on another thread, which finds the display that fits it,
 /// its hogels or the order of its views. Certain results are not asked about unless `isAsked`.
-void FileCommands::openLater(const QString& file, bool isAsked) {
+/// `sheet` is the calibration of the lens sheet that shows it; "": hogels do.
+void FileCommands::openLater(const QString& file, bool isAsked, const QString& sheet) {
   delete m_dialog;
-  m_task->start([this, file, isAsked](const Progress& progress) {
-    return [this, file, isAsked, opening = inspectFile(file.toStdString(), {}, progress)] {
-      offer(file, opening, isAsked);
+  m_task->start([this, file, isAsked, sheet](const Progress& progress) {
+    return [this, file, isAsked, sheet, opening = inspectFile(file.toStdString(), {}, progress)] {
+      offer(file, opening, isAsked, sheet);
     };
   });
   Q_EMIT done(tr("Reading %1 …").arg(file));
 }
 
-void FileCommands::offer(const QString& file, const Opening& opening, bool isAsked) {
+/// Shows a quilt on a lens sheet: without a file the session's, or one that is asked for. A session
+/// of a sheet gets the other calibration.
+void FileCommands::openSheet(const QString& calibration, const QString& quilt) {
+  guarded(this, [&] {
+    const std::string sheet = calibration.toStdString();
+    Session session = m_model->session();
+    const bool isSheet = session.display.sheet.has_value();
+    session.display = withCalibration(session.display, sheet);  // before a quilt is asked for
+    if (quilt.isEmpty() && isSheet) return m_model->setContent(session);
+    if (quilt.isEmpty() && session.lightField.layout == Layout::quilt) {
+      if (mayLeave()) m_model->openNew(onSheet(session.lightField, sheet));
+      return;
+    }
+    const QString file = quilt.isEmpty() ? chooseFile(m_window,
+                                                      tr("Choose a quilt for the lens sheet of %1")
+                                                          .arg(QFileInfo(calibration).fileName()),
+                                                      lightFieldFilter())
+                                         : quilt;
+    if (!file.isEmpty() && mayLeave()) openLater(file, false, calibration);
+  });
+}
+
+void FileCommands::offer(const QString& file, const Opening& opening, bool isAsked,
+                         const QString& sheet) {
   const bool isLive = opening.around.session.lightField.isLive();
-  if (!isLive && (isAsked || isInDoubt(opening))) return ask(file, opening);
-  take(file, opening);
-  for (const std::string& warning : opening.around.order.warnings)
-    Q_EMIT failed(file + ": " + QString::fromStdString(warning));
+  if (!isLive && (isAsked || isInDoubt(opening))) return ask(file, opening, sheet);
+  guarded(this, [&] {
+    Opening shown = opening;
+    Session& session = shown.around.session;
+    if (!sheet.isEmpty()) session = onSheet(session.lightField, sheet.toStdString());
+    take(file, shown);
+    for (const std::string& warning : opening.around.order.warnings)
+      Q_EMIT failed(file + ": " + QString::fromStdString(warning));
+  });
 }
 
 /// Opens the dialog. The window stays unchanged until the dialog is accepted.
-void FileCommands::ask(const QString& file, const Opening& opening) {
-  m_dialog = new OpeningDialog(file, opening, m_window);
+void FileCommands::ask(const QString& file, const Opening& opening, const QString& sheet) {
+  m_dialog = new OpeningDialog(file, opening, sheet, m_window);
   m_dialog->setAttribute(Qt::WA_DeleteOnClose);
-  connect(m_dialog, &QDialog::accepted, this, [this, file] { take(file, m_dialog->opening()); });
+  connect(m_dialog, &QDialog::accepted, this,
+          [this, file] { guarded(this, [&] { take(file, m_dialog->opening()); }); });
   connect(m_dialog, &QDialog::rejected, this,
           [this, file] { Q_EMIT done(tr("%1: not opened").arg(file)); });
   m_dialog->open();
@@ -281,7 +318,17 @@ void FileCommands::takeChange(const QString& path) {
 }
 
 void FileCommands::openFiles(const QStringList& files) {
-  QStringList sorted = files;  // with the session first
+  QStringList sorted = files;
+  const auto sheet = std::ranges::find_if(
+      sorted, [](const QString& file) { return isSheetCalibration(file.toStdString()); });
+  if (sheet != sorted.end()) {
+    const QString calibration = sorted.takeAt(sheet - sorted.begin());
+    const QString other = sorted.value(0);
+    const bool isSession = isSessionDocument(other.toStdString());
+    if (isSession && !(mayLeave() && open(other))) return;
+    return openSheet(calibration, isSession ? QString() : other);
+  }
+  // The session first.
   std::stable_partition(sorted.begin(), sorted.end(),
                         [](const QString& file) { return isSessionFile(file.toStdString()); });
   for (qsizetype k = 0; k < sorted.size(); ++k) openAny(sorted[k], k == 0);
@@ -314,7 +361,7 @@ void FileCommands::compareOrOpen(const QString& file) {
         if (canCompare(session, file.toStdString(), progress))
           return [this, file] { Q_EMIT comparisonAsked(file); };
         return [this, file, opening = inspectFile(file.toStdString(), {}, progress)] {
-          if (mayLeave()) offer(file, opening, false);
+          if (mayLeave()) offer(file, opening, false, {});
         };
       });
 }
@@ -356,6 +403,7 @@ bool FileCommands::askSaveAs() {
 
 /// Opens what the user has chosen, if anything.
 void FileCommands::openChosen(const QString& file) {
+  if (isSheetCalibration(file.toStdString())) return openSheet(file, {});
   if (!file.isEmpty() && mayLeave()) open(file);
 }
 

@@ -44,7 +44,8 @@ class FileCommands : public QObject {
   /// Opens files of the command line or a drop: a session opens, a calibration (*.yml, *.yaml) goes
   /// to the current state, and the open session is compared with a light field. A mesh, and a light
   /// field that cannot be compared, opens in a new session; a calibration without a session creates
-  /// one.
+  /// one. With a lens sheet's calibration another file is a quilt, which opens on that sheet;
+  /// without one the session's quilt does, or one that is asked for.
   void openFiles(const QStringList& files);
   /// Returns true if there are no edits, or they have been saved or discarded.
   bool mayLeave();
@@ -64,9 +65,10 @@ class FileCommands : public QObject {
  private:
   void addCommands(QMenu* menu);
   bool eventFilter(QObject* watched, QEvent* event) override;
-  void openLater(const QString& file, bool isAsked);
-  void offer(const QString& file, const Opening& opening, bool isAsked);
-  void ask(const QString& file, const Opening& opening);
+  void openLater(const QString& file, bool isAsked, const QString& sheet = {});
+  void openSheet(const QString& calibration, const QString& quilt);
+  void offer(const QString& file, const Opening& opening, bool isAsked, const QString& sheet);
+  void ask(const QString& file, const Opening& opening, const QString& sheet);
   void take(const QString& file, const Opening& opening);
   void compareOrOpen(const QString& file);
   void openCalibration(const QString& file);

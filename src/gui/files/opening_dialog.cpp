@@ -9,9 +9,11 @@
 
 #include "gui/session/session_forms.h"
 #include "gui/widgets/colours.h"
+#include "gui/widgets/dialogs.h"
 #include "gui/widgets/task.h"
 #include "io/documents/light_field_params.h"
 #include "picture/conversions.h"
+#include "picture/scene_text.h"
 #include "ui_opening_dialog.h"
 
 namespace hogelscope {
@@ -38,21 +40,31 @@ QString escaped(const std::string& text) {
 
 QString headlineOf(const Opening& opening) {
   const auto& [nx, ny, du, dv] = opening.size;
+  const bool isOnSheet = opening.around.session.display.sheet.has_value();
   for (const Assumption& each : opening.assumptions)
     if (each.what == "Size")
-      return OpeningDialog::tr("%1 × %2 hogels of %3 × %4 &nbsp;").arg(nx).arg(ny).arg(du).arg(dv) +
+      return (isOnSheet ? OpeningDialog::tr("%1 views of %2 × %3 px &nbsp;").arg(du).arg(nx).arg(ny)
+                        : OpeningDialog::tr("%1 × %2 hogels of %3 × %4 &nbsp;")
+                              .arg(nx)
+                              .arg(ny)
+                              .arg(du)
+                              .arg(dv)) +
              markOf(each);
   return OpeningDialog::tr("How many hogels? &nbsp;") + markOf({});
 }
 
-/// Lists what the headline does not say, with the reasons of what the user has to check.
+/// Lists what the headline does not say, with the reasons of what the user has to check. A lens
+/// sheet's calibration takes the place of what is assumed of a display of hogels.
 QString tableOf(const Opening& opening) {
   QString rows;
+  const std::optional<SheetDisplay>& sheet = opening.around.session.display.sheet;
   for (const Assumption& each : opening.assumptions) {
+    if (sheet && (each.what == "Panel" || each.what == "Field of view")) continue;
     const bool isOpen = each.sureness == Sureness::unknown && !each.isUsual;
     if (each.what != "Size") rows += rowOf(escaped(each.what), escaped(each.value), markOf(each));
     if (isOpen) rows += rowOf({}, "<i>" + escaped(each.reason) + "</i>");
   }
+  if (sheet) rows += rowOf(OpeningDialog::tr("Lens sheet"), SceneText::sheet(*sheet));
   for (const std::string& warning : opening.around.order.warnings)
     rows += rowOf(QStringLiteral("⚠"), escaped(warning));
   return "<table>" + rows + "</table>";
@@ -67,16 +79,20 @@ QString reasonsOf(const Opening& opening) {
 
 }  // namespace
 
-OpeningDialog::OpeningDialog(const QString& file, const Opening& opening, QWidget* window)
+OpeningDialog::OpeningDialog(const QString& file, const Opening& opening, const QString& sheet,
+                             QWidget* window)
     : QDialog(window),
       m_ui(std::make_unique<Ui::OpeningDialog>()),
       m_file(file),
+      m_sheet(sheet),
       m_opening(opening),
       m_task(new Task(this)) {
   m_ui->setupUi(this);
   setWindowTitle(tr("Open %1").arg(QFileInfo(file).fileName()));
   m_ui->previewView->setTitles({}, {});
   addForms();
+  listDisplays();
+  connect(m_ui->displaysBox, &QComboBox::activated, this, &OpeningDialog::chooseDisplay);
   connect(m_task, &Task::stopped, this, &OpeningDialog::takeNext);
   connect(m_task, &Task::failed, this, [this](const QString& line) {
     if (!m_isStale) showProblem(line);
@@ -111,6 +127,37 @@ void OpeningDialog::addForms() {
   const std::string file = m_file.toStdString();
   for (int k = 0; k < layouts->count(); ++k)
     items->item(k)->setEnabled(mayHave(Layout(k), file, m_shown.lightField.layout));
+}
+
+/// Offers hogels, the lens sheet that was used last, and another one, which has no file yet.
+void OpeningDialog::listDisplays() {
+  QComboBox* box = m_ui->displaysBox;
+  box->clear();
+  box->addItem(tr("Seen on a display of hogels"), QString());
+  const QString known = m_sheet.isEmpty() ? lastSheet() : m_sheet;
+  if (!known.isEmpty())
+    box->addItem(tr("Seen on the lens sheet of %1").arg(QFileInfo(known).fileName()), known);
+  box->addItem(tr("Seen on a lens sheet…"));
+  box->setCurrentIndex(m_sheet.isEmpty() ? 0 : 1);
+}
+
+void OpeningDialog::chooseDisplay(int index) {
+  const QVariant known = m_ui->displaysBox->itemData(index);
+  const QString chosen = known.isValid() ? known.toString() : chooseSheet(this);
+  if (known.isValid() || !chosen.isEmpty()) m_sheet = chosen;
+  listDisplays();
+  showOpening(m_opening);
+}
+
+bool OpeningDialog::isOnSheet() const {
+  return !m_sheet.isEmpty() && m_opening.around.session.lightField.layout == Layout::quilt;
+}
+
+Opening OpeningDialog::opening() const {
+  Opening result = m_opening;
+  Session& session = result.around.session;
+  if (isOnSheet()) session = onSheet(session.lightField, m_sheet.toStdString());
+  return result;
 }
 
 void OpeningDialog::edit(const Session& edited) {
@@ -166,11 +213,17 @@ void OpeningDialog::takeNext() {
 void OpeningDialog::showOpening(const Opening& opening) {
   m_opening = opening;
   if (opening.problem.empty()) m_shown = shownOf(opening);
-  m_ui->headlineLabel->setText(headlineOf(opening));
-  m_ui->assumedLabel->setText(tableOf(opening));
+  Opening shown = opening;
+  try {
+    if (opening.problem.empty()) shown = this->opening();
+  } catch (const InputError& error) {
+    shown.problem = error.what();
+  }
+  m_ui->headlineLabel->setText(headlineOf(shown));
+  m_ui->assumedLabel->setText(tableOf(shown));
   for (QLabel* label : {m_ui->headlineLabel, m_ui->assumedLabel})
     label->setToolTip(reasonsOf(opening));
-  showProblem(QString::fromStdString(opening.problem));
+  showProblem(QString::fromStdString(shown.problem));
   showFields();
 }
 
@@ -184,6 +237,8 @@ void OpeningDialog::showProblem(const QString& problem) {
 /// for views.
 void OpeningDialog::showFields() {
   const Layout layout = m_shown.lightField.layout;
+  m_ui->displaysBox->setVisible(layout == Layout::quilt);
+  m_display->setVisible(!isOnSheet());
   m_display->hideField("hogels", layout != Layout::hogels);
   m_display->hideField("directions", layout != Layout::hogels && !isGridOfViews(layout));
   m_lightField->refresh();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Dialog of the assumptions about a light field that is opened without a session, with a preview of
-// its views. Each assumption can be corrected.
+// its views. Each assumption can be corrected, and a quilt shown on a lens sheet.
 #pragma once
 
 #include <QDialog>
@@ -21,15 +21,19 @@ class OpeningDialog : public QDialog {
   Q_OBJECT
 
  public:
-  /// Takes the result of the first analysis.
-  OpeningDialog(const QString& file, const Opening& opening, QWidget* window);
+  /// Takes the result of the first analysis; `sheet` is the calibration of a lens sheet, or "".
+  OpeningDialog(const QString& file, const Opening& opening, const QString& sheet, QWidget* window);
   ~OpeningDialog() override;
 
-  /// Returns the corrected assumptions after the dialog is accepted.
-  [[nodiscard]] const Opening& opening() const { return m_opening; }
+  /// Returns the corrected assumptions after the dialog is accepted, with the session of the chosen
+  /// display. Throws InputError if the lens sheet's calibration cannot be read.
+  [[nodiscard]] Opening opening() const;
 
  private:
   void addForms();
+  void listDisplays();
+  void chooseDisplay(int index);
+  [[nodiscard]] bool isOnSheet() const;
   void edit(const Session& edited);
   void look(bool isKnown);
   void start(bool isKnown);
@@ -41,7 +45,8 @@ class OpeningDialog : public QDialog {
   std::unique_ptr<Ui::OpeningDialog> m_ui;
   QString m_file;
   SaidFields m_said;
-  Opening m_opening;
+  QString m_sheet;         ///< the calibration; "": a display of hogels
+  Opening m_opening;       ///< for hogels
   Session m_shown;         ///< the values in the fields
   bool m_isStale = false;  ///< an edit waits for the running task to stop
   ParameterForm* m_lightField;

@@ -73,6 +73,7 @@ void showAbout(QWidget* window) {
 namespace {
 
 constexpr const char* folderKey = "lastFolder";
+constexpr const char* sheetKey = "lastSheet";
 
 QString lastFolder() {
   return QSettings().value(folderKey, QDir::homePath()).toString();
@@ -168,6 +169,21 @@ QString chooseOutputFolder(QWidget* parent, const QString& title) {
 QString chooseNewFile(QWidget* parent, const QString& title, const QString& name,
                       const QString& filter) {
   return chosen(parent, title, {QFileDialog::AnyFile, {}, filter}, name).value(0);
+}
+
+QString chooseSheet(QWidget* parent) {
+  return chooseFile(
+      parent, QCoreApplication::translate("FileDialogs", "Choose a lens sheet's calibration"),
+      QCoreApplication::translate("FileDialogs", "Calibrations (*.json);;All files (*)"));
+}
+
+QString lastSheet() {
+  const QString file = QSettings().value(sheetKey).toString();
+  return QFileInfo::exists(file) ? file : QString();
+}
+
+void rememberSheet(const QString& calibration) {
+  QSettings().setValue(sheetKey, QFileInfo(calibration).absoluteFilePath());
 }
 
 SizeDialog::SizeDialog(const QString& title, const QSize& proposed, QWidget* parent)

@@ -49,6 +49,12 @@ QString chooseNewFile(QWidget* parent, const QString& title, const QString& name
 /// Remembers the folder of a file that was opened or saved without a dialog.
 void rememberFolderOf(const QString& file);
 
+/// Asks for a lens sheet's calibration.
+QString chooseSheet(QWidget* parent);
+/// Returns the calibration that was used last; "" if there is none, or it is not there any more.
+QString lastSheet();
+void rememberSheet(const QString& calibration);
+
 /// Dialog of the size of an image in pixels.
 class SizeDialog : public QDialog {
   Q_OBJECT

@@ -10,6 +10,7 @@
 #include "core/base/text.h"
 #include "core/cameras/state_list_edits.h"
 #include "io/documents/session_file.h"
+#include "io/documents/sheet_file.h"
 #include "io/files/folders.h"
 #include "io/opening/capture_geometry.h"
 #include "io/scene/live_file.h"
@@ -244,6 +245,28 @@ AssumedOrder orderOf(const OrderedSession& subject) {
 Session sessionAround(const std::string& file, const std::vector<std::string>& overrides,
                       const Progress& progress) {
   return orderedSessionAround(file, overrides, progress).session;
+}
+
+DisplayParams withCalibration(const DisplayParams& display, const std::string& calibration) {
+  DisplayParams result;
+  result.position = display.position;
+  result.orientation = display.orientation;
+  SheetDisplay& sheet = result.sheet.emplace(display.sheet.value_or(SheetDisplay{}));
+  sheet.calibration = loadSheetCalibration(calibration);
+  sheet.file = calibration;
+  result.size = LensSheet(sheet).size();
+  result.fov.fill(sheet.calibration.params.cone);
+  return result;
+}
+
+Session onSheet(const LightFieldParams& quilt, const std::string& calibration) {
+  Session session;
+  session.lightField = quilt;
+  session.lightField.viewingDistance = notGiven;
+  session.display = withCalibration({}, calibration);
+  inFile(contentName(quilt), [&] { checkLightField(session); });
+  session.cameras = {inFrontOf({session.display, session.display.sheet->viewingDistance})};
+  return session;
 }
 
 Session withLightField(const Session& session, const std::string& file) {

@@ -43,6 +43,13 @@ AssumedOrder orderOf(const OrderedSession& subject);
 Session sessionAround(const std::string& file, const std::vector<std::string>& overrides = {},
                       const Progress& progress = {});
 
+/// Returns the lens sheet of a calibration's file at a display's place; a sheet keeps its viewing
+/// distance and emitter. Throws InputError.
+DisplayParams withCalibration(const DisplayParams& display, const std::string& calibration);
+/// Returns a session that shows a quilt on a lens sheet, with one state at the sheet's viewing
+/// distance. Throws InputError, also for other layouts.
+Session onSheet(const LightFieldParams& quilt, const std::string& calibration);
+
 /// Returns the session with another light field, for comparisons: an image, a folder of views, or a
 /// session, whose display is used too. Throws InputError.
 Session withLightField(const Session& session, const std::string& file);
