@@ -41,9 +41,9 @@ LightFieldDock::LightFieldDock(SessionModel* model, QWidget* parent)
   };
   const auto visitLive = [](ParameterVisitor& v, LightFieldParams& p) { describe(v, p.live); };
   m_liveForms = {form(visitContent), form(visitLive)};
-  auto* file = form([](ParameterVisitor& v, LightFieldParams& p) { describe(v, p); });
-  file->hideHeading();
-  layout->addWidget(stackWidgets({file, buttons, m_liveForms[0], m_liveForms[1], m_contents}));
+  m_file = form([](ParameterVisitor& v, LightFieldParams& p) { describe(v, p); });
+  m_file->hideHeading();
+  layout->addWidget(stackWidgets({m_file, buttons, m_liveForms[0], m_liveForms[1], m_contents}));
   for (const auto change : {&SessionModel::opened, &SessionModel::contentChanged})
     connect(m_model, change, this, &LightFieldDock::showForms);
   showForms();
@@ -64,11 +64,16 @@ ParameterForm* LightFieldDock::form(void (*visit)(ParameterVisitor&, LightFieldP
 void LightFieldDock::showForms() {
   const bool isLive = m_model->session().lightField.content.isGiven();
   for (QWidget* part : m_liveForms) part->setVisible(isLive);
+  m_file->hideField("viewingDistance", m_model->session().display.sheet.has_value());
 }
 
 void LightFieldDock::setSource(const std::optional<ViewSource>& source) {
   if (!source) return m_contents->setText(tr("Nothing is in memory."));
   const LightFieldSize size = source->lightField->size();
+  if (source->display.sheet)
+    return m_contents->setText(tr("The picture of the lens sheet's panel, %1×%2 px, is in memory.")
+                                   .arg(size.nx)
+                                   .arg(size.ny));
   const std::array<QString, 3> types{tr("8 bit"), tr("16 bit"), tr("floating point")};
   const LightFieldSource& lightField = *source->lightField;
   const QString where =

@@ -43,6 +43,7 @@ class LightFieldDock : public QWidget {
 
   SessionModel* m_model;
   QLabel* m_contents;
+  ParameterForm* m_file = nullptr;
   Task* m_task;                           ///< reads a mesh or the order of views
   std::array<QWidget*, 2> m_liveForms{};  ///< the content's own parameters, and the common ones
 };

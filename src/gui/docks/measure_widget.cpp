@@ -208,11 +208,11 @@ Session MeasureWidget::ofCurrent() const {
   return session;
 }
 
-/// The display with the light field's counts; none while it lacks them.
+/// The display with the light field's counts; none while it lacks them, and for a lens sheet.
 std::optional<PanelParams> MeasureWidget::display() const {
   const PanelParams display = withCounts(
       displayOf(m_model->session()), m_source ? DisplayParams(m_source->display) : DisplayParams());
-  if (display.hogels[0] < 1 || display.directions[0] < 1) return std::nullopt;
+  if (display.sheet || display.hogels[0] < 1 || display.directions[0] < 1) return std::nullopt;
   return display;
 }
 
@@ -222,6 +222,7 @@ void MeasureWidget::follow() {
   m_task->stop();
   m_shown.tint = {};
   showTint();
+  m_area->setEnabled(!m_model->session().display.sheet);
   showClosedForms();
   m_rest.start();
 }
@@ -239,7 +240,9 @@ void MeasureWidget::showClosedForms() {
       m_shown.contrast = mtfMap(bench, figures);
       m_shown.zone = zoneMap(bench, figures);
     }
-    showStatus(tr("Closed forms"));
+    const bool isSheet = m_model->session().display.sheet.has_value();
+    if (isSheet) m_shown.depths.reset();
+    showStatus(isSheet ? tr("Only displays of hogels are measured.") : tr("Closed forms"));
   } catch (const std::exception& error) {
     showStatus(QString::fromUtf8(error.what()));
   }

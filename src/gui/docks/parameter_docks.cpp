@@ -2,8 +2,10 @@
 #include "gui/docks/parameter_docks.h"
 
 #include <QCheckBox>
+#include <QFileInfo>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QPushButton>
 #include <QSignalBlocker>
 #include <QToolButton>
 #include <QVBoxLayout>
@@ -14,11 +16,16 @@
 #include "gui/session/session_forms.h"
 #include "gui/view/view_worker.h"
 #include "gui/widgets/colours.h"
+#include "gui/widgets/dialogs.h"
+#include "gui/widgets/guarded.h"
+#include "io/opening/session_around.h"
 #include "io/plugins/display_json.h"
+#include "picture/scene_text.h"
 
 namespace hogelscope {
 
-DisplayDock::DisplayDock(SessionModel* model, QWidget* parent) : QWidget(parent), m_model(model) {
+DisplayDock::DisplayDock(SessionModel* model, QWidget* parent)
+    : QWidget(parent), m_model(model), m_sheet(new QWidget), m_figures(new QLabel) {
   auto* panel = form([](ParameterVisitor& v, DisplayParams& p) { describe(v, p); });
   auto* lens = form([](ParameterVisitor& v, DisplayParams& p) {
     if (p.lensParams.isGiven()) describe(v, p.lensParams);
@@ -31,13 +38,45 @@ DisplayDock::DisplayDock(SessionModel* model, QWidget* parent) : QWidget(parent)
                                "the hogels' pitch is held, and the size changes"));
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
-  layout->addWidget(stackWidgets({panel, lens}));
+  m_figures->setObjectName("sheetLabel");
+  m_figures->setToolTip(tr("The lens sheet's calibration"));
+  m_figures->setWordWrap(true);
+  m_figures->setTextFormat(Qt::RichText);
+  auto* choose = button("chooseSheetButton", tr("Choose &calibration…"),
+                        tr("The visual.json of another lens sheet"));
+  connect(choose, &QPushButton::clicked, this, &DisplayDock::askSheet);
+  auto* rows = new QVBoxLayout(m_sheet);
+  rows->addWidget(m_figures);
+  rows->addWidget(choose);
+  layout->addWidget(stackWidgets({panel, lens, m_sheet}));
+  for (const auto change : {&SessionModel::opened, &SessionModel::contentChanged})
+    connect(m_model, change, this, &DisplayDock::showSheet);
+  showSheet();
   const auto show = [this, lens] {
     lens->setVisible(m_model->session().display.lensParams.isGiven());
   };
   for (const auto change : {&SessionModel::opened, &SessionModel::contentChanged})
     connect(m_model, change, lens, show);
   show();
+}
+
+void DisplayDock::showSheet() {
+  const std::optional<SheetDisplay>& sheet = m_model->session().display.sheet;
+  m_sheet->setVisible(sheet.has_value());
+  if (!sheet) return;
+  const QString name = QFileInfo(QString::fromStdString(sheet->file)).fileName().toHtmlEscaped();
+  m_figures->setText((name.isEmpty() ? QString() : "<b>" + name + "</b><br>") +
+                     SceneText::sheet(*sheet));
+}
+
+void DisplayDock::askSheet() {
+  const QString file = chooseSheet(this);
+  if (file.isEmpty()) return;
+  guarded(this, [&] {
+    Session content = m_model->session();
+    content.display = withCalibration(content.display, file.toStdString());
+    m_model->setContent(content);
+  });
 }
 
 ParameterForm* DisplayDock::form(void (*visit)(ParameterVisitor&, DisplayParams&)) {

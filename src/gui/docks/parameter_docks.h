@@ -33,8 +33,12 @@ class DisplayDock : public QWidget {
  private:
   /// Creates a form that accepts an edit only if the display's lenses can be opened.
   ParameterForm* form(void (*visit)(ParameterVisitor&, DisplayParams&));
+  void showSheet();
+  void askSheet();
 
   SessionModel* m_model;
+  QWidget* m_sheet;  ///< a lens sheet's calibration, and the button for another one
+  QLabel* m_figures;
   QToolButton* m_lock = nullptr;  ///< on: the size is held, off: the hogels' pitch
 };
 
