@@ -80,6 +80,7 @@ class TestSheetWindow : public HabitsTest {
     QVERIFY(box->isVisible());
     box->setCurrentIndex(display);
     Q_EMIT box->activated(display);
+    QTRY_VERIFY_WITH_TIMEOUT(isSettled(), patience);
   }
   void accept() {
     QTest::mouseClick(

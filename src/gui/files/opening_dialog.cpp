@@ -146,7 +146,7 @@ void OpeningDialog::chooseDisplay(int index) {
   const QString chosen = known.isValid() ? known.toString() : chooseSheet(this);
   if (known.isValid() || !chosen.isEmpty()) m_sheet = chosen;
   listDisplays();
-  showOpening(m_opening);
+  look(false);
 }
 
 bool OpeningDialog::isOnSheet() const {
