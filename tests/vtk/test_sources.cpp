@@ -8,6 +8,9 @@
 #include <vtkPolyData.h>
 
 #include <QtTest>
+#include <algorithm>
+#include <cmath>
+#include <utility>
 
 #include "core/panel/display.h"
 #include "vtk/atlas.h"
@@ -68,6 +71,34 @@ class TestSources : public QObject {
     display.hogels = {65536, 65536};
     source->SetDisplay(display);
     QVERIFY(lines(0) <= 2 * 2049);
+  }
+
+  /// Along each line of a lens sheet x + y/slope is the same; all end at the panel's edges.
+  void linesFollowTheLenses() {
+    PanelParams display;
+    SheetDisplay& sheet = display.sheet.emplace();
+    sheet.calibration.params = {
+        .pitch = 5, .slope = -6, .center = 0.1, .dpi = 50, .panel = {180, 120}, .cone = 40};
+    const LensSheet lenses(sheet);
+    display.size = lenses.size();
+    display.hogels = {180, 120};
+    const vtkNew<vtkHogelDisplaySource> source;
+    source->SetDisplay(display);
+    source->Update();
+    vtkPolyData* lines = source->GetOutput(1);
+    QCOMPARE(lines->GetNumberOfLines(), vtkIdType(19));
+    const auto [right, top] = std::pair(display.size[0] / 2, display.size[1] / 2);
+    for (vtkIdType k = 0; k < lines->GetNumberOfLines(); ++k) {
+      const double across = double(k - 9) * lenses.period();
+      for (const Vec3& end : {point(lines, 2 * k), point(lines, 2 * k + 1)}) {
+        QVERIFY(std::abs(end.x - end.y / 6 - across) < 1e-6);
+        const double beyond = std::max(std::abs(end.x) - right, std::abs(end.y) - top);
+        QVERIFY(std::abs(beyond) < 1e-6);
+      }
+    }
+    source->SetSpacing(display.size[0] / 20);
+    source->Update();
+    QCOMPARE(source->GetOutput(1)->GetNumberOfLines(), vtkIdType(9));
   }
 
   void withoutHogelsIsEmpty() {
