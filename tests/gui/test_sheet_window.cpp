@@ -149,6 +149,7 @@ void TestSheetWindow::quiltIsOpenedOnASheet() {
   QVERIFY(!table.contains("Field of view"));
   QVERIFY(dialog()->findChild<QLabel*>("headlineLabel")->text().startsWith("6 views of 30 × 20"));
   QVERIFY(!dialog()->findChild<QSpinBox*>("hogels.0")->isVisible());
+  QVERIFY(!dialog()->findChild<QDoubleSpinBox*>("viewingDistance")->isVisible());
   accept();
   verifySheet();
   // The next one may be seen on the same sheet.

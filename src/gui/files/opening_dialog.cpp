@@ -239,6 +239,7 @@ void OpeningDialog::showFields() {
   const Layout layout = m_shown.lightField.layout;
   m_ui->displaysBox->setVisible(layout == Layout::quilt);
   m_display->setVisible(!isOnSheet());
+  m_lightField->hideField("viewingDistance", isOnSheet());
   m_display->hideField("hogels", layout != Layout::hogels);
   m_display->hideField("directions", layout != Layout::hogels && !isGridOfViews(layout));
   m_lightField->refresh();
