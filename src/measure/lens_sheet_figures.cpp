@@ -68,15 +68,23 @@ void forViews(const Bench& bench, const Vec3& eye, const Spot& spot, const Use& 
   const double distance = of.display.viewingDistance;
   const double perCrossing = of.views * sheet.gap() / (sheet.period() * distance);
   const auto [columns, rows] = of.display.calibration.params.panel;
+  const std::vector<double>& weights = sheet.spot();
   for (int ray = 1; ray <= spot.rays; ++ray) {
     // The R2 sequence: M. Roberts, The unreasonable effectiveness of quasirandom sequences, 2018.
     const double u = std::fmod(0.7548776662466927 * ray, 1) - 0.5;
     const double up = spot.height * (std::fmod(0.5698402909980532 * ray, 1) - 0.5);
     const Vec3 point{spot.middle.x + spot.width * u + spot.lean * up, spot.middle.y + up, 0};
     const auto hit = sheet.meet(eye, point - eye, green);
-    if (!hit || hit->column < 0 || hit->column >= columns || hit->row < 0 || hit->row >= rows)
-      continue;
-    const int part = sheet.viewOf(int(hit->column), int(hit->row), green, parts);
+    if (!hit) continue;
+    // Of the spot, each ray has one of its pixels, as often as the pixel's weight says.
+    double column = hit->column - double(weights.size() / 2);
+    double rest = std::fmod(0.6180339887498949 * ray, 1);
+    for (auto weight = weights.begin(); weight != weights.end() && rest >= *weight; ++weight) {
+      rest -= *weight;
+      ++column;
+    }
+    if (column < 0 || column >= columns || hit->row < 0 || hit->row >= rows) continue;
+    const int part = sheet.viewOf(int(column), int(hit->row), green, parts);
     const double turned = (eye.x - point.x + (eye.y - point.y) * of.perSlope) / eye.z;
     const double crossing = point.x + point.y * of.perSlope + distance * turned;
     use(of.views * (part + 0.5) / parts, of.views / 2.0 + perCrossing * crossing);

@@ -18,20 +18,15 @@ namespace hogelscope {
 
 namespace {
 
-/// Returns the number of views of a quilt for a lens sheet.
-int viewsOf(const LightFieldParams& lightField) {
-  const auto [columns, rows] = quiltTilesOf(lightField);
-  if (columns * rows < 2)
+/// Returns a lens sheet's display with the pixels of its panel and its views as directions.
+PanelParams withViews(PanelParams display, const Session& session) {
+  const int views = viewsOnSheet(session);
+  if (views < 2)
     throw InputError(
         "lightField.columns",
         "and rows are missing: what a lens sheet shows depends on its number of views");
-  return columns * rows;
-}
-
-/// Returns a lens sheet's display with the pixels of its panel and the views of its quilt.
-PanelParams withViews(PanelParams display, const LightFieldParams& lightField) {
   display.hogels = display.sheet->calibration.params.panel;
-  display.directions = {viewsOf(lightField), 1};
+  display.directions = {views, 1};
   return display;
 }
 
@@ -44,9 +39,7 @@ std::string keyOf(const MeasureRequest& request) {
   shown.cameras = {request.session.cameras.front()};
   std::vector<std::filesystem::path> files;
   for (const std::string& file : request.display.lensParams.files()) files.emplace_back(file);
-  const std::string views =
-      request.display.sheet ? " " + std::to_string(viewsOf(request.session.lightField)) : "";
-  return "measure " + std::string(programVersion()) + " " + contentHash(textOf(shown)) + views +
+  return "measure " + std::string(programVersion()) + " " + contentHash(textOf(shown)) +
          (files.empty() ? "" : " " + contentHash(files));
 }
 
@@ -58,15 +51,14 @@ double MeasuredFigure::difference() const {
 
 PanelParams displayToMeasure(const Session& session, const Progress& progress) {
   const PanelParams display = displayOf(session);
-  if (display.sheet) return withViews(display, session.lightField);
+  if (display.sheet) return withViews(display, session);
   if (display.hogels[0] > 0 && display.directions[0] > 0) return display;
   const auto file = openLightField(session.lightField, session.display, progress);
   return resolved(display, file->size());
 }
 
 Bench benchOf(const Session& session, const PanelParams& display) {
-  return {display.sheet ? withViews(display, session.lightField) : display,
-          session.cameras.front()};
+  return {display, session.cameras.front()};
 }
 
 std::vector<Measurement> measurementsOf(const Session& session, const Bench& bench) {

@@ -26,6 +26,7 @@ SheetDisplay unit(bool isOther = false) {
     display.calibration.params = {30, 4.37, 0.6, 200, {2560, 1600}, 35};
     display.viewingDistance = 0.8;
     display.emitter[0] = 0.7;
+    display.spot = 6e-5;
   }
   return display;
 }
@@ -57,8 +58,15 @@ struct SeenPlace {
 
 SeenPlace placeSeen(const SheetDisplay& display, const LensSheet& sheet, const Vec3& eye,
                     const Vec2& point) {
-  const auto hit = sheet.meet(eye, Vec3{point.x, point.y, 0} - eye, green);
+  auto hit = sheet.meet(eye, Vec3{point.x, point.y, 0} - eye, green);
   if (!hit) qFatal("the sheet is missed");
+  // A pixel of the spot, as often as its weight says.
+  static int count = 0;
+  double rest = std::fmod(0.41421356237 * ++count, 1);
+  const std::vector<double>& weights = sheet.spot();
+  hit->column -= double(weights.size() / 2);
+  for (std::size_t k = 0; k + 1 < weights.size() && rest >= weights[k]; ++k, ++hit->column)
+    rest -= weights[k];
   const double q = inch / display.calibration.params.dpi;
   const auto [columns, rows] = display.calibration.params.panel;
   constexpr int parts = 1 << 24;
@@ -258,7 +266,8 @@ void TestSheetNumbers::slopesOfAView() {
 /// distance, and not one that lies N views farther.
 void TestSheetNumbers::shareInTheCone() {
   QFETCH(bool, isOther);
-  const SheetDisplay display = unit(isOther);
+  SheetDisplay display = unit(isOther);
+  display.spot = 0;  // a spot mixes places near a flip with others
   const LensSheet sheet(display);
   const double slope = display.calibration.params.slope;
   const auto [width, height] = sheet.size();

@@ -14,6 +14,7 @@ struct Plan {
   bool isTableKept = false;      ///< its rays are kept in a table
   bool hasLinearHogels = false;  ///< hits are affine in the rays' slopes
   bool movesRays = false;        ///< rays meet a twin, not the design
+  int spotReach = 0;             ///< a lens sheet's pixels to either side that a ray reads
   bool copiesPixels = false;     ///< a lens sheet's sub-pixels are copied
   bool splitsColours = false;    ///< a twin whose colours meet pixels of their own
   bool changesLight = false;     ///< a twin that scales or adds light

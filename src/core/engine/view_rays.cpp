@@ -286,9 +286,7 @@ void ViewRays::eachBatch(int y, int x0, int x1, const Use& use) const {
 void ViewRays::addFootprint(int y, int x0, int x1, Footprint& result) const {
   const LightFieldSize& size = m_display.size();
   const Reconstruction reconstruction = m_job.sampling.reconstruction;
-  const LensSheet* sheet = m_display.sheet();
-  const int spread = sheet == nullptr ? 0 : static_cast<int>(sheet->spot().size() / 2);
-  const Reach reach{reconstruction == Reconstruction::quadrilinear ? 1 : spread,
+  const Reach reach{reconstruction == Reconstruction::quadrilinear ? 1 : m_plan.spotReach,
                     m_plan.psfReach + (reconstruction == Reconstruction::nearest ? 0 : 1)};
   const float near = border();
   eachBatch(y, x0, x1, [&](std::size_t count, const CellBatch& batch) {
@@ -324,14 +322,15 @@ void ViewRays::mark(int y, const SliceLayout& layout, std::vector<std::uint8_t>&
   const bool areHogels = m_job.sampling.reconstruction == Reconstruction::quadrilinear;
   const auto [nx, ny, du, dv] = m_display.size();
   const std::array counts{nx, ny, du, dv};
+  const std::array reaches{m_plan.spotReach, 0, m_plan.psfReach, m_plan.psfReach};
   eachBatch(y, 0, width, [&](std::size_t count, const CellBatch& batch) {
     for (std::size_t k = 0; k < count; ++k) {
       if (batch.seen[k] == 0) continue;
       std::array<CellRange, 4> box;
       for (std::size_t axis = 0; axis < 4; ++axis)
-        box[axis] = cellsRead(batch.cell[axis][k], batch.place[axis][k],
-                              axis < 2 ? areHogels : areDirections, border(),
-                              axis < 2 ? 0 : m_plan.psfReach, counts[axis]);
+        box[axis] =
+            cellsRead(batch.cell[axis][k], batch.place[axis][k],
+                      axis < 2 ? areHogels : areDirections, border(), reaches[axis], counts[axis]);
       markBox(box, layout, marks);
     }
   });

@@ -34,7 +34,8 @@ struct SheetCalibration {
   SheetParams params;
   /// The kinds of pixels; one: vertical stripes of red, green and blue.
   std::vector<SubPixels> cells{{{{0, 0}, {1.0 / 3, 0}, {2.0 / 3, 0}}}};
-  int pattern = 0;  ///< how kinds alternate, CellPatternMode 0 … 4
+  int pattern = 0;          ///< how kinds alternate, CellPatternMode 0 … 4
+  bool isInverted = false;  ///< the document says that views go from the right, which is ignored
   bool operator==(const SheetCalibration&) const = default;
 };
 

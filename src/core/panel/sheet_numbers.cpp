@@ -19,9 +19,10 @@ struct SheetLetters {
         g(sheet.gap()),
         m(1 / display.calibration.params.slope),
         w(display.emitter[0]),
+        spot(display.spot),
         distance(display.viewingDistance) {}
   LensSheet sheet;
-  double p, q, g, m, w, distance;
+  double p, q, g, m, w, spot, distance;
 };
 
 double sinc(double x) {
@@ -47,9 +48,11 @@ SheetNumbers sheetNumbers(const SheetDisplay& display, int views, const Vec3& ey
   numbers.views = views;
   numbers.period = of.p;
   numbers.cone = display.calibration.params.cone;
-  numbers.lobe = views * of.q / of.p * std::sqrt((of.w * of.w + of.m * of.m) / 12);
+  const double mixed = of.q * std::hypot(of.w, of.m) / std::sqrt(12);
+  numbers.lobe = views / of.p * std::hypot(mixed, of.spot);
   numbers.viewSlope = of.p / (views * of.g);
-  numbers.slopeSpread = std::hypot(numbers.viewSlope, of.w * of.q / of.g, of.m * of.q / of.g);
+  numbers.slopeSpread =
+      std::hypot(numbers.viewSlope, std::sqrt(12) * std::hypot(mixed, of.spot) / of.g);
   if (!(eye.z > 0)) return numbers;
   numbers.distance = eye.z;
   numbers.viewsPerMetre = 1 / (numbers.viewSlope * eye.z);
@@ -82,7 +85,13 @@ double sheetContrast(const SheetDisplay& display, int views, double frequency, d
     return std::abs(sinc(seen * of.p * of.m / square) * sinc(seen * of.q * (1 - of.w) / of.m) *
                     sinc(seen * of.q));
   }
-  return std::abs(sinc(f * of.p * (nearer / square + z / of.distance)) *
+  double inSpot = of.sheet.spot().empty() ? 1 : 0;
+  double place = -double(of.sheet.spot().size() / 2);
+  for (const double weight : of.sheet.spot()) {
+    inSpot += weight * std::cos(2 * std::numbers::pi * f * place * of.q * (nearer - z / of.g));
+    ++place;
+  }
+  return std::abs(inSpot * sinc(f * of.p * (nearer / square + z / of.distance)) *
                   sinc(f * of.q * (nearer - of.w * z / of.g)) * sinc(f * of.q * of.m * z / of.g) *
                   sinc(f * z * of.p / (views * of.g)));
 }
@@ -101,7 +110,15 @@ double shareOfSums(double low, double high, double a, double b) {
 double lobeShare(const SheetDisplay& display, int views, double low, double high) {
   const SheetLetters of(display);
   const double perPixel = views * of.q / of.p;
-  return shareOfSums(low, high, perPixel * of.w, perPixel * std::abs(of.m));
+  const auto shareOf = [&](double place) {
+    return shareOfSums(low + place * perPixel, high + place * perPixel, perPixel * of.w,
+                       perPixel * std::abs(of.m));
+  };
+  if (of.sheet.spot().empty()) return shareOf(0);
+  double share = 0;
+  double place = -double(of.sheet.spot().size() / 2);
+  for (const double weight : of.sheet.spot()) share += weight * shareOf(place++);
+  return share;
 }
 
 /// The places h across the lenses with |H/z + h (1/D − 1/z)| ≤ p/(2 g), the eye's own being H.

@@ -5,11 +5,11 @@
 // spreads over more: the view's own step, the sub-pixel's width and, since lenses are slanted, a
 // row's height make it as wide as an even spread of
 //
-//     s = √((p/N)² + (w q)² + (m q)²)/g
+//     s = √((p/N)² + (w q)² + (m q)² + 12 σ²)/g
 //
-// which has the same variance. As of a display of hogels (core/panel/design_numbers.h), a point at
-// the depth z is sharp for an eye at the distance D where |z| s D/(D − z) ≤ p: more views make s
-// no smaller than their sub-pixels do.
+// which has the same variance; σ is the display's spot. As of a display of hogels
+// (core/panel/design_numbers.h), a point at the depth z is sharp for an eye at the distance D where
+// |z| s D/(D − z) ≤ p: more views make s no smaller than their sub-pixels do.
 #pragma once
 
 #include <array>
@@ -49,10 +49,11 @@ SheetNumbers sheetNumbers(const SheetDisplay& display, int views, const Vec3& ey
 /// (metres in front of the pixels), whose lines are perpendicular to the axis 0, across, or 1, up:
 ///
 ///     across   sinc(f p (1 + m² z/D)/(1 + m²)) · sinc(f q (1 − z/D − w z/g)) · sinc(f q m z/g)
-///              · sinc(f z p/(N g))
+///              · sinc(f z p/(N g)) · Σ w_k cos(2π f k q (1 − z/D − z/g))
 ///     up       sinc(f' p m/(1 + m²)) · sinc(f' q (1 − w)/m) · sinc(f' q),    f' = f (1 − z/D)
 ///
-/// D the viewing distance. The quilt's own pixels are not counted. Throws likewise.
+/// D the viewing distance, w_k spotWeights(). The quilt's own pixels are not counted. Throws
+/// likewise.
 double sheetContrast(const SheetDisplay& display, int views, double frequency, double z,
                      std::size_t axis);
 
@@ -61,7 +62,8 @@ double sheetContrast(const SheetDisplay& display, int views, double frequency, d
 double shareOfSums(double low, double high, double a, double b);
 
 /// Returns the share of the light that a place shows an eye of views from `low` to `high`, counted
-/// from where the eye is among them: sums over the widths w and m of N q/p views.
+/// from where the eye is among them: sums over the widths w and m of N q/p views, for each pixel of
+/// the spot.
 double lobeShare(const SheetDisplay& display, int views, double low, double high);
 
 /// Returns the share of the panel that shows an eye what is at its own place among the views, and

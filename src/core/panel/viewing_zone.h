@@ -10,7 +10,8 @@
 namespace hogelscope {
 
 /// Returns the share of the panel's area, 0 … 1, that sends light to a point of the world (metres):
-/// 1 if all of the panel can be seen from there, 0 if the point is outside the viewing zone.
+/// 1 if all of the panel can be seen from there, 0 if the point is outside the viewing zone. A lens
+/// sheet sends light to all places before it.
 double shareSeenFrom(const PanelParams& display, const Vec3& point);
 
 /// The points reached by light of some part of the panel, or by light of every part.

@@ -137,11 +137,11 @@ DesignNumbers DesignNumbersWidget::numbers() const {
 std::optional<SheetNumbers> DesignNumbersWidget::numbersOfSheet() const {
   const Session& session = m_model->session();
   if (!session.display.sheet) return std::nullopt;
-  const auto [columns, rows] = quiltTilesOf(session.lightField);
+  const int views = viewsOnSheet(session);
   const Vec3 eye = eyePlaceOf(session.display, m_model->current().camera.eye).point;
   try {
-    SheetNumbers numbers = sheetNumbers(*session.display.sheet, std::max(columns * rows, 1), eye);
-    if (columns * rows == 0)
+    SheetNumbers numbers = sheetNumbers(*session.display.sheet, std::max(views, 1), eye);
+    if (views == 0)
       numbers.viewsPerMetre = numbers.lobe = numbers.depthFront = numbers.depthBehind = 0;
     return numbers;
   } catch (const std::exception&) {

@@ -208,11 +208,15 @@ Session MeasureWidget::ofCurrent() const {
   return session;
 }
 
-/// The display with the light field's counts; none while it lacks them, and for a lens sheet.
+/// The display with the light field's counts, of a lens sheet the number of views; none while it
+/// lacks them.
 std::optional<PanelParams> MeasureWidget::display() const {
+  const Session& session = m_model->session();
+  if (session.display.sheet && viewsOnSheet(session) < 2) return std::nullopt;
+  if (session.display.sheet) return displayToMeasure(session, {});
   const PanelParams display = withCounts(
       displayOf(m_model->session()), m_source ? DisplayParams(m_source->display) : DisplayParams());
-  if (display.sheet || display.hogels[0] < 1 || display.directions[0] < 1) return std::nullopt;
+  if (display.hogels[0] < 1 || display.directions[0] < 1) return std::nullopt;
   return display;
 }
 
@@ -222,7 +226,9 @@ void MeasureWidget::follow() {
   m_task->stop();
   m_shown.tint = {};
   showTint();
-  m_area->setEnabled(!m_model->session().display.sheet);
+  const bool hasHogels = !m_model->session().display.sheet;
+  for (QWidget* const own : std::initializer_list<QWidget*>{m_sliders, m_tints, m_sweep})
+    own->setEnabled(hasHogels);
   showClosedForms();
   m_rest.start();
 }
@@ -240,9 +246,8 @@ void MeasureWidget::showClosedForms() {
       m_shown.contrast = mtfMap(bench, figures);
       m_shown.zone = zoneMap(bench, figures);
     }
-    const bool isSheet = m_model->session().display.sheet.has_value();
-    if (isSheet) m_shown.depths.reset();
-    showStatus(isSheet ? tr("Only displays of hogels are measured.") : tr("Closed forms"));
+    if (m_model->session().display.sheet) m_shown.depths.reset();
+    showStatus(tr("Closed forms"));
   } catch (const std::exception& error) {
     showStatus(QString::fromUtf8(error.what()));
   }
@@ -255,7 +260,7 @@ void MeasureWidget::simulate() {
   if (!isVisible() || !panel) return;
   m_task->start([this, session = ofCurrent(), panel = *panel,
                  source = m_source](const Progress& progress) -> Task::Answer {
-    if (source) {
+    if (source && !panel.sheet) {
       ViewSource current = *source;
       current.display = panel;
       const StatesDepths depths = depthsOfStates(session, current, part(progress, 0, 0.3));

@@ -323,7 +323,6 @@ void SceneController::connectScene() {
 void SceneController::setSource(const std::optional<ViewSource>& scene) {
   m_loaded = scene;
   m_display = scene ? scene->display : displayOf(m_model->session());
-  if (m_display.sheet) m_display.fov = {179.9, 179.9};  // beside its cone views are seen again
   m_scene->twin().show(m_display, scene ? scene->twin.get() : nullptr);
   m_worker->setSource(scene);
   if (!scene) {
@@ -542,8 +541,7 @@ std::optional<PickedView> SceneController::viewAt(const QPoint& pixel) const {
 }
 
 int SceneController::views() const {
-  const auto [columns, rows] = quiltTilesOf(m_model->session().lightField);
-  return columns * rows;
+  return viewsOnSheet(m_model->session());
 }
 
 void SceneController::setEyes(StereoView eyes) {

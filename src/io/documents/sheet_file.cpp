@@ -103,9 +103,11 @@ Json* calibrationIn(Json& session, const char* section) {
 SheetCalibration calibrationOf(const Json& document, std::vector<std::string>* warnings) {
   if (sheetNumber(document, "flipImageX").value_or(0) != 0)
     throw InputError("flipImageX", "is not 0: mirrored panels are not modelled");
-  if (warnings != nullptr && sheetNumber(document, "invView").value_or(1) == 0)
+  SheetCalibration calibration = readSheet(figuresOf(document), "");
+  calibration.isInverted = sheetNumber(document, "invView").value_or(1) == 0;
+  if (warnings != nullptr && calibration.isInverted)
     warnings->push_back("invView is 0, which is ignored: views go from left to right");
-  return readSheet(figuresOf(document), "");
+  return calibration;
 }
 
 }  // namespace

@@ -83,6 +83,8 @@ SheetCalibration readSheet(const Json& object, const std::string& path) {
     calibration.cells = cellsOf(*cells, reader.pathOf("cells"));
   if (const Json* pattern = reader.section("pattern"); pattern != nullptr)
     calibration.pattern = patternOf(*pattern, reader.pathOf("pattern"));
+  if (const Json* order = reader.section("invView"); order != nullptr)
+    calibration.isInverted = *order == 0;
   reader.refuseUnknown();
   try {
     check(calibration.params);
@@ -100,6 +102,7 @@ Json writtenSheet(const SheetCalibration& calibration) {
     object["cells"] = calibration.cells;
     object["pattern"] = calibration.pattern;
   }
+  if (calibration.isInverted) object["invView"] = 0;
   return object;
 }
 

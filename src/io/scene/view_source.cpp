@@ -122,6 +122,12 @@ std::unique_ptr<LightFieldFile> openLightField(const LightFieldParams& params,
   return typeOf(params.layout).open(params, display, progress);
 }
 
+int viewsOnSheet(const Session& session) {
+  if (session.lightField.isLive()) return std::max(session.display.directions[0], 0);
+  const auto [columns, rows] = quiltTilesOf(session.lightField);
+  return columns * rows;
+}
+
 bool readTheSame(const Session& a, const Session& b) {
   const DisplayParams& ours = a.display;
   const DisplayParams& others = b.display;

@@ -22,6 +22,10 @@ std::unique_ptr<LightFieldFile> openLightField(const LightFieldParams& params,
                                                const DisplayParams& display,
                                                const Progress& progress = {});
 
+/// Returns the number of views that a lens sheet shows: those of the quilt or of the live scene; 0
+/// if it is not known, as of a panel's picture.
+int viewsOnSheet(const Session& session);
+
 /// The common part of the views of a session's states, read once and shared.
 struct ViewSource {
   std::shared_ptr<const LightFieldSource> lightField;
