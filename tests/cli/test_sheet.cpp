@@ -50,6 +50,7 @@ class TestSheet : public QObject {
   void wovenPictures();
   void liveScenes();
   void spots();
+  void invertedViews();
   void unitsAgainstTheDesign();
   void mistakes_data();
   void mistakes();
@@ -237,6 +238,25 @@ void TestSheet::spots() {
   QCOMPARE(qGreen(QImage("none/1.png").pixel(40, 30)), 40);
   QVERIFY2(second > 60 && second < 140, QByteArray::number(second));
   QVERIFY2(last < 180, QByteArray::number(last));
+}
+
+/// invView 0 is ignored, with a warning that a saved session keeps.
+void TestSheet::invertedViews() {
+  const QStringList render{"--render", "--session", "s.json", "--output", "a", "--states", "2"};
+  QCOMPARE(program(render).err, QByteArray());
+  const QByteArray right = contentOf("a/2.png");
+  writeFile("visual.json",
+            QByteArray(calibration).replace("\"slope\"", "\"invView\": 0, \"slope\""));
+  const QByteArray warning =
+      "hogelscope: display.calibration: invView is 0, which is ignored: views go from left to "
+      "right\n";
+  QCOMPARE(program(render + QStringList{"--set", "display.calibration.cone=40", "--save-session",
+                                        "kept.json"})
+               .err,
+           warning);
+  QCOMPARE(contentOf("a/2.png"), right);
+  QCOMPARE(program({"--render", "--session", "kept.json", "--output", "b", "--states", "2"}).err,
+           warning);
 }
 
 /// A sheet that is mounted a sixth of a period aside shows the next view.

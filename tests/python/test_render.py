@@ -50,6 +50,23 @@ class Render(FolderTest):
         self.assert_as_program(s, file, "--ideal", ideal=True)
         self.assertRefuses("only a 3-D scene", hs.Session(TABLE1).render, 0, ideal=True)
 
+    def test_lens_sheet(self):
+        """A live scene on a sheet: as the program, and its wrong calibration, spot and unit too."""
+        file = self.write("sheet.json", small_session(
+            display={"kind": "sheet", "hogels": [40, 30], "directions": [8, 1], "calibration": {
+                "pitch": 5, "slope": -6, "center": 0.1, "cone": 40, "dpi": 50,
+                "panel": [180, 120]}},
+            lightField={"layout": "live", "source": "scene"}))
+        no_leakage = "psf.windowSize=1"
+        self.assertRefuses("cameras[1].psf.windowSize: must be 1 for a lens sheet", hs.Session, file)
+        first = hs.Session(file, overrides=[no_leakage])
+        self.assert_as_program(first, file, "--set", no_leakage)
+        for change in ("lightField.calibration.center=0.4", "display.spot=0.001",
+                       "twin.lensArray.offset=[0.001, 0]"):
+            other = hs.Session(file, overrides=[no_leakage, change])
+            self.assertTrue(np.any(other.render(0).image != first.render(0).image), change)
+            self.assert_as_program(other, file, "--set", no_leakage, "--set", change)
+
     def test_twin(self):
         document = small_session(display={"hogels": [32, 32], "directions": [20, 20]},
                                  lightField={"file": os.path.abspath("tests/data/scene.png")})

@@ -6,7 +6,6 @@
 #include "chart/depth_bar.h"
 #include "gui/session/session_forms.h"
 #include "gui/widgets/colours.h"
-#include "io/layouts/layouts.h"
 #include "io/scene/view_source.h"
 #include "ui_design_numbers.h"
 
