@@ -248,15 +248,15 @@ void TestSheet::invertedViews() {
   writeFile("visual.json",
             QByteArray(calibration).replace("\"slope\"", "\"invView\": 0, \"slope\""));
   const QByteArray warning =
-      "hogelscope: display.calibration: invView is 0, which is ignored: views go from left to "
+      ": warning: display.calibration: invView is 0, which is ignored: views go from left to "
       "right\n";
   QCOMPARE(program(render + QStringList{"--set", "display.calibration.cone=40", "--save-session",
                                         "kept.json"})
                .err,
-           warning);
+           "hogelscope: s.json" + warning);
   QCOMPARE(contentOf("a/2.png"), right);
   QCOMPARE(program({"--render", "--session", "kept.json", "--output", "b", "--states", "2"}).err,
-           warning);
+           "hogelscope: kept.json" + warning);
 }
 
 /// A sheet that is mounted a sixth of a period aside shows the next view.

@@ -58,7 +58,7 @@ class Render(FolderTest):
                 "panel": [180, 120]}},
             lightField={"layout": "live", "source": "scene"}))
         no_leakage = "psf.windowSize=1"
-        self.assertRefuses("cameras[1].psf.windowSize: must be 1 for a lens sheet", hs.Session, file)
+        self.assertRefuses("psf.windowSize: must be 1 for a lens sheet", hs.Session, file)
         first = hs.Session(file, overrides=[no_leakage])
         self.assert_as_program(first, file, "--set", no_leakage)
         for change in ("lightField.calibration.center=0.4", "display.spot=0.001",
