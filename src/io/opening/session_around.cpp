@@ -260,6 +260,9 @@ DisplayParams withCalibration(const DisplayParams& display, const std::string& c
 }
 
 Session onSheet(const LightFieldParams& quilt, const std::string& calibration) {
+  if (quilt.layout != Layout::quilt)
+    throw InputError(contentName(quilt), "lightField.layout",
+                     "must be \"quilt\" for a lens sheet that is opened with a calibration");
   Session session;
   session.lightField = quilt;
   session.lightField.viewingDistance = notGiven;
