@@ -1,6 +1,6 @@
 #!/bin/sh
 # Makes the manual's measured pictures and tables again, on this machine: resources/manual. Needs
-# rsvg-convert (librsvg2-bin).
+# rsvg-convert (librsvg2-bin) and montage (imagemagick).
 set -eu
 here=$(dirname "$0")
 "$here/build.sh" hogelscope
@@ -38,6 +38,27 @@ cp "$output/stability/stability.png" resources/manual/stability.png
   --set camera.fov=36 --output "$output"
 "$program" --render --session data/room.json --states front --set 'camera.res=[420,420]' \
   --set pupil.diameter=0.012 --focus-stack 2 --output "$output"
+sheet=data/displays/looking_glass_portrait_sheet.json
+"$program" --render --session $sheet --output "$output/sheet"
+aside() {  # NAME [OPTIONS]
+  made=$1
+  shift
+  "$program" --render --session $sheet --states near --set stereo.ipd=0 --set 'camera.eye=[0.12,0,0.6]' \
+    --set camera.fov=18 --output "$output/sheet/$made" "$@"
+}
+aside right
+aside pitch --set lightField.calibration.pitch=52.3
+aside slope --set lightField.calibration.slope=-7.6
+aside spot --set display.spot=0.0001
+beside() {  # PICTURE FILE…
+  made=$1
+  shift
+  montage "$@" -tile x1 -geometry 300x400+3+3 +dither -colors 128 -strip "PNG8:resources/manual/$made"
+}
+beside lens_sheet_eyes.png "$output"/sheet/eyes.left.png "$output"/sheet/eyes.right.png \
+  "$output"/sheet/flip.left.png "$output"/sheet/flip.right.png
+beside lens_sheet_wrong.png "$output"/sheet/right/near.png "$output"/sheet/pitch/near.png \
+  "$output"/sheet/slope/near.png "$output"/sheet/spot/near.png
 cp "$output/front.focus01.png" resources/manual/focus_near.png
 cp "$output/front.focus02.png" resources/manual/focus_far.png
 cp "$output/front.png" resources/home/room.png
