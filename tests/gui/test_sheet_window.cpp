@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Lens sheets in the real window: a quilt and a calibration, in any order, become a session; scene,
 // inspector and Display section show lenses and views where those of hogels show hogels.
+#include <QCheckBox>
 #include <QComboBox>
 #include <QDialogButtonBox>
 #include <QDockWidget>
+#include <QDoubleSpinBox>
 #include <QLabel>
 #include <QPushButton>
 #include <QUndoStack>
@@ -46,6 +48,7 @@ class TestSheetWindow : public HabitsTest {
   void bothAreDropped();
   void mistakes();
   void displaySectionHasTheCalibration();
+  void wrongCalibrationIsTried();
   void sceneShowsLensesAndFlips();
   void eyesAreTold();
   void inspectorNamesSubPixels();
@@ -237,6 +240,27 @@ void TestSheetWindow::displaySectionHasTheCalibration() {
   QVERIFY((model().current().camera.eye == Vec3{0, 0, away}));
   model().undoStack()->undo();
   QCOMPARE(text("sheetLabel"), figures);
+}
+
+/// The panel is woven for another calibration: views move aside, as an edit.
+void TestSheetWindow::wrongCalibrationIsTried() {
+  openSheet();
+  auto* box = child<QCheckBox>("weaveBox");
+  auto* area = child<QWidget>("lightFieldArea");
+  QVERIFY(!box->isChecked());
+  const QImage right = view()->image();
+  box->click();
+  QVERIFY(model().session().lightField.calibration == model().session().display.sheet->calibration);
+  auto* center = area->findChild<QDoubleSpinBox*>("center");
+  QVERIFY(center != nullptr);
+  center->setValue(center->value() + 2.0 / views);
+  QTRY_VERIFY_WITH_TIMEOUT(hasPicture() && view()->image() != right, patience);
+  const Image seen = rendered(loadViewSource(model().session(), {}).job(model().current()));
+  QTRY_VERIFY_WITH_TIMEOUT(equals(view()->image(), seen), patience);
+  box->click();
+  QTRY_VERIFY_WITH_TIMEOUT(view()->image() == right, patience);
+  QVERIFY(!model().session().lightField.calibration);
+  QCOMPARE(errors(), QString());
 }
 
 void TestSheetWindow::sceneShowsLensesAndFlips() {

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "gui/docks/light_field_dock.h"
 
+#include <QCheckBox>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLocale>
 #include <QPushButton>
+#include <QSignalBlocker>
 #include <QVBoxLayout>
 #include <array>
 
@@ -19,7 +21,11 @@
 namespace hogelscope {
 
 LightFieldDock::LightFieldDock(SessionModel* model, QWidget* parent)
-    : QWidget(parent), m_model(model), m_contents(new QLabel), m_task(new Task(this)) {
+    : QWidget(parent),
+      m_model(model),
+      m_contents(new QLabel),
+      m_hasWeave(new QCheckBox(tr("&Woven for another lens sheet"))),
+      m_task(new Task(this)) {
   m_contents->setObjectName("contentsLabel");
   m_contents->setToolTip(tr("What has been read"));
   m_contents->setWordWrap(true);
@@ -43,7 +49,17 @@ LightFieldDock::LightFieldDock(SessionModel* model, QWidget* parent)
   m_liveForms = {form(visitContent), form(visitLive)};
   m_file = form([](ParameterVisitor& v, LightFieldParams& p) { describe(v, p); });
   m_file->hideHeading();
-  layout->addWidget(stackWidgets({m_file, buttons, m_liveForms[0], m_liveForms[1], m_contents}));
+  m_weave = form([](ParameterVisitor& v, LightFieldParams& p) {
+    if (p.calibration) describe(v, p.calibration->params);
+  });
+  m_weave->hideHeading();
+  m_hasWeave->setObjectName("weaveBox");
+  m_hasWeave->setToolTip(
+      tr("The panel's picture is made for these figures, and seen through the display's lenses: a "
+         "wrong calibration can be recognised by its look"));
+  connect(m_hasWeave, &QCheckBox::toggled, this, &LightFieldDock::setWeave);
+  layout->addWidget(stackWidgets(
+      {m_file, buttons, m_liveForms[0], m_liveForms[1], m_hasWeave, m_weave, m_contents}));
   for (const auto change : {&SessionModel::opened, &SessionModel::contentChanged})
     connect(m_model, change, this, &LightFieldDock::showForms);
   showForms();
@@ -64,7 +80,23 @@ ParameterForm* LightFieldDock::form(void (*visit)(ParameterVisitor&, LightFieldP
 void LightFieldDock::showForms() {
   const bool isLive = m_model->session().lightField.content.isGiven();
   for (QWidget* part : m_liveForms) part->setVisible(isLive);
-  m_file->hideField("viewingDistance", m_model->session().display.sheet.has_value());
+  const bool isSheet = m_model->session().display.sheet.has_value();
+  m_file->hideField("viewingDistance", isSheet);
+  const bool hasWeave = m_model->session().lightField.calibration.has_value();
+  const QSignalBlocker blocker(m_hasWeave);
+  m_hasWeave->setChecked(hasWeave);
+  m_hasWeave->setVisible(isSheet && m_model->session().lightField.layout != Layout::woven);
+  m_weave->setVisible(hasWeave);
+}
+
+/// Begins with the display's own calibration, as the one that the panel's picture is made for.
+void LightFieldDock::setWeave(bool isAnother) {
+  Session content = m_model->session();
+  content.lightField.calibration.reset();
+  content.lightField.calibrationFile.clear();
+  if (isAnother && content.display.sheet)
+    content.lightField.calibration = content.display.sheet->calibration;
+  m_model->setContent(content);
 }
 
 void LightFieldDock::setSource(const std::optional<ViewSource>& source) {

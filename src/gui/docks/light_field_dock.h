@@ -8,6 +8,7 @@
 
 #include "io/scene/view_source.h"
 
+class QCheckBox;
 class QLabel;
 
 namespace hogelscope {
@@ -36,6 +37,7 @@ class LightFieldDock : public QWidget {
  private:
   ParameterForm* form(void (*visit)(ParameterVisitor&, LightFieldParams&));
   void showForms();
+  void setWeave(bool isAnother);
   void chooseMesh(const QString& file);
   void chooseViews(const LightFieldParams& views);
   void askFile();
@@ -44,6 +46,8 @@ class LightFieldDock : public QWidget {
   SessionModel* m_model;
   QLabel* m_contents;
   ParameterForm* m_file = nullptr;
+  QCheckBox* m_hasWeave;                  ///< LightFieldParams::calibration is given
+  ParameterForm* m_weave = nullptr;       ///< its figures
   Task* m_task;                           ///< reads a mesh or the order of views
   std::array<QWidget*, 2> m_liveForms{};  ///< the content's own parameters, and the common ones
 };

@@ -186,6 +186,8 @@ LightFieldParams withDefaults(const LightFieldParams& before, LightFieldParams a
     after = {};
     after.layout = layout;
   }
+  if (after.layout == Layout::woven) after.calibration.reset();
+  if (after.calibration != before.calibration) after.calibrationFile.clear();
   if (after.source != before.source)
     after.content = after.source.empty() ? ContentParams() : contentParamsOf(after.source);
   return after;
