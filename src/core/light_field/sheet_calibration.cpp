@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/light_field/sheet_calibration.h"
 
+#include <cmath>
+
 #include "core/base/error.h"
+#include "core/base/text.h"
 
 namespace hogelscope {
 
@@ -29,8 +32,10 @@ void check(const SheetParams& params) {
   need("dpi", params.dpi);
   need("cone", params.cone);
   if (params.panel[0] < 1 || params.panel[1] < 1) throw InputError("panel", "is missing");
-  if (params.slope == 0)
-    throw InputError("slope", "is 0: lenses along the rows; turn the panel by 90°");
+  constexpr double flattest = 1e-3;
+  if (std::abs(params.slope) < flattest)
+    throw InputError("slope", "is " + numberText(params.slope) +
+                                  ": lenses along the rows; turn the panel by 90°");
 }
 
 }  // namespace hogelscope

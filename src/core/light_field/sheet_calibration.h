@@ -24,7 +24,7 @@ struct SheetParams {
   bool operator==(const SheetParams&) const = default;
 };
 
-/// Throws InputError for a figure that is missing, and for a slope of 0.
+/// Throws InputError for a figure that is missing, and for lenses along the rows, |slope| < 0.001.
 void check(const SheetParams& params);
 void describe(ParameterVisitor& v, SheetParams& p);
 

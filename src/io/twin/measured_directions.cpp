@@ -32,8 +32,8 @@ class MeasuredDirectionsReader {
     if (cells.size() != m_columns)
       refuse("has " + std::to_string(cells.size()) + " cells for " + std::to_string(m_columns) +
              " columns");
-    const int u = indexIn(cells, 0);
-    const int v = indexIn(cells, 1);
+    const int u = directionIn(cells, 0);
+    const int v = directionIn(cells, 1);
     std::size_t& own = m_lineOf[m_table.at(u, v)];
     if (own != 0)
       refuse("has direction (" + std::to_string(u) + ", " + std::to_string(v) + "), which line " +
@@ -106,7 +106,7 @@ class MeasuredDirectionsReader {
     }
   }
 
-  [[nodiscard]] int indexIn(const std::vector<std::string>& cells, std::size_t axis) const {
+  [[nodiscard]] int directionIn(const std::vector<std::string>& cells, std::size_t axis) const {
     const std::string& cell = cells[m_at[axis]];
     const int last = m_table.size[axis] - 1;
     const std::optional<double> value = number(cells, axis);
