@@ -278,6 +278,13 @@ void TestSheet::unitsAgainstTheDesign() {
   const auto table = tableOf("report/report.csv");
   QCOMPARE(table.size(), views + 1);
   QVERIFY(table[1][table[0].indexOf("mse")].toDouble() > 100);
+  // Five of six rays meet pixels d aside, a sixth of the lenses' images; one meets the next lens,
+  // and pixels 5 d to the other side: √5 d, and the rows to which rays slide.
+  const auto metrics = tableOf("report/metrics.csv");
+  const double moved = metrics[1][metrics[0].indexOf("move_rms")].toDouble();
+  const double pixels = std::sqrt(5) * period / views / (0.0254 / 50);
+  QVERIFY2(moved > pixels && moved < pixels + 0.6,
+           QByteArray::number(moved) + ", about " + QByteArray::number(pixels));
   // The unit itself is not mended by moving the sheet by a whole period.
   writeFile("unit.json",
             R"({"lensArray": {"offset": [)" + QByteArray::number(lens, 'g', 12) + ", 0]}}");

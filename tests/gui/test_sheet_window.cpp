@@ -131,6 +131,16 @@ void TestSheetWindow::quiltStaysWithHogels() {
   accept();
   QVERIFY(!model().session().display.sheet);
   QVERIFY(!child<QLabel>("sheetLabel")->isVisible());
+  // The section Display offers a lens sheet, as an edit.
+  auto* offer = child<QPushButton>("chooseSheetButton");
+  QVERIFY(!offer->isHidden() && offer->text().contains("lens sheet"));
+  const DialogAnswer answer(path("visual.json"));
+  offer->click();
+  QVERIFY(model().session().display.sheet.has_value());
+  const Image seen = rendered(loadViewSource(model().session(), {}).job(model().current()));
+  QTRY_VERIFY_WITH_TIMEOUT(equals(view()->image(), seen), patience);
+  model().undoStack()->undo();
+  QVERIFY(!model().session().display.sheet);
   QCOMPARE(errors(), QString());
 }
 

@@ -108,15 +108,19 @@ struct CellStrip {
 /// Any rays, or those of a row, which have one y; `hits` are a row's that are known to hit.
 enum class Rays { any, row, hits };
 
-/// Copies `count` rays, at most a strip of them, and fills the strip with the first.
+/// Fewer rays than a strip are copied, the first one filling what is left, and x and y then point
+/// to the copies.
 template <Rays rays>
-inline __attribute__((always_inline)) void padStrip(const double* x, const double* y, int count,
+inline __attribute__((always_inline)) void padStrip(const double*& x, const double*& y, int count,
                                                     Strip<double>& paddedX,
                                                     Strip<double>& paddedY) {
+  if (count == stripSize) return;
   paddedX.fill(x[0]);
   paddedY.fill(y[0]);
   std::copy_n(x, count, paddedX.begin());
   if constexpr (rays == Rays::any) std::copy_n(y, count, paddedY.begin());
+  x = paddedX.data();
+  y = paddedY.data();
 }
 
 /// Finds and prefetches the addresses of at most a strip of rays, whose cells `find` finds.
@@ -128,11 +132,7 @@ inline __attribute__((always_inline)) void findAddresses(const Find& find, const
                                                          std::uint8_t* seen) {
   Strip<double> paddedX;
   Strip<double> paddedY;
-  if (count < stripSize) {
-    padStrip<rays>(x, y, count, paddedX, paddedY);
-    x = paddedX.data();
-    y = paddedY.data();
-  }
+  padStrip<rays>(x, y, count, paddedX, paddedY);
   CellStrip strip;
   find(x, y, strip);
   for (std::size_t k = 0; k < stripSize; ++k) {

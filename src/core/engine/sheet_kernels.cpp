@@ -143,11 +143,7 @@ inline __attribute__((always_inline)) void findPixels(const SheetMap& m, const B
                                                       std::uint8_t* seen) {
   Strip<double> paddedX;
   Strip<double> paddedY;
-  if (count < stripSize) {
-    padStrip<rays>(x, y, count, paddedX, paddedY);
-    x = paddedX.data();
-    y = paddedY.data();
-  }
+  padStrip<rays>(x, y, count, paddedX, paddedY);
   EndStrip end;
   endStrip<rays>(m, x, y, end);
   Strip<std::uint32_t> all = end.isOn;
@@ -299,11 +295,13 @@ void findSheetCells(const HitMap& map, const double* x, const double* y, int cou
                     std::size_t channel, CellBatch& batch) {
   for (int first = 0; first < count; first += stripSize) {
     const int rays = std::min(stripSize, count - first);
-    Strip<double> stripX;
-    Strip<double> stripY;
-    padStrip<Rays::any>(x + first, y + first, rays, stripX, stripY);
+    Strip<double> paddedX;
+    Strip<double> paddedY;
+    const double* stripX = x + first;
+    const double* stripY = y + first;
+    padStrip<Rays::any>(stripX, stripY, rays, paddedX, paddedY);
     PixelStrip pixels;
-    sheetStrip(map, stripX.data(), stripY.data(), channel, pixels);
+    sheetStrip(map, stripX, stripY, channel, pixels);
     for (std::size_t k = 0; k < std::size_t(rays); ++k) {
       const std::size_t to = std::size_t(first) + k;
       batch.seen[to] = static_cast<std::uint8_t>(pixels.seen[k]);

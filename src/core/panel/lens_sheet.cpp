@@ -41,14 +41,10 @@ std::vector<double> spotWeights(double sigma) {
 }
 
 bool isOfSheet(const TwinParams& twin) {
-  TwinParams other = twin;
-  const LensArrayErrors& own = twin.lensArray;
-  other.lensArray = {};
-  other.lensArray.outside = own.outside;
-  LensArrayErrors rest = own;
-  rest.offset = rest.pitchError = {};
-  rest.rotation = rest.gapError = 0;
-  return other.isZero() && rest == LensArrayErrors{};
+  TwinParams rest = twin;
+  rest.lensArray.offset = rest.lensArray.pitchError = {};
+  rest.lensArray.rotation = rest.lensArray.gapError = 0;
+  return rest.isZero();
 }
 
 LensSheet::LensSheet(const SheetDisplay& display, const LensArrayErrors& mounted)

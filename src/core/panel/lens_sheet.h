@@ -45,7 +45,7 @@ struct SheetHit {
   double row;
 };
 
-/// Where rays of slopes a = dx/dz, b = dy/dz from one eye end behind a sheet: functions of a
+/// Gives where rays of slopes a = dx/dz, b = dy/dz from one eye end behind a sheet: functions of a
 /// constant and what they grow by for each unit of a, and of b.
 struct SheetHits {
   using Linear = std::array<double, 3>;
@@ -56,7 +56,7 @@ struct SheetHits {
   double upOfLens = 0;
 };
 
-/// How the kinds of pixels alternate: kind (column·c + row·r) & mask, row from the bottom.
+/// Tells how the kinds of pixels alternate: kind (column·c + row·r) & mask, row from the bottom.
 struct CellPattern {
   int ofColumn = 0;
   int ofRow = 0;

@@ -42,12 +42,11 @@ DisplayDock::DisplayDock(SessionModel* model, QWidget* parent)
   m_figures->setToolTip(tr("The lens sheet's calibration"));
   m_figures->setWordWrap(true);
   m_figures->setTextFormat(Qt::RichText);
-  auto* choose = button("chooseSheetButton", tr("Choose &calibration…"),
-                        tr("The visual.json of another lens sheet"));
-  connect(choose, &QPushButton::clicked, this, &DisplayDock::askSheet);
+  m_choose = button("chooseSheetButton", {}, tr("The visual.json of a lens sheet"));
+  connect(m_choose, &QPushButton::clicked, this, &DisplayDock::askSheet);
   auto* rows = new QVBoxLayout(m_sheet);
   rows->addWidget(m_figures);
-  rows->addWidget(choose);
+  rows->addWidget(m_choose);
   layout->addWidget(stackWidgets({panel, lens, m_sheet}));
   for (const auto change : {&SessionModel::opened, &SessionModel::contentChanged})
     connect(m_model, change, this, &DisplayDock::showSheet);
@@ -62,7 +61,9 @@ DisplayDock::DisplayDock(SessionModel* model, QWidget* parent)
 
 void DisplayDock::showSheet() {
   const std::optional<SheetDisplay>& sheet = m_model->session().display.sheet;
-  m_sheet->setVisible(sheet.has_value());
+  m_sheet->setVisible(sheet || m_model->session().lightField.layout == Layout::quilt);
+  m_figures->setVisible(sheet.has_value());
+  m_choose->setText(sheet ? tr("Choose &calibration…") : tr("See it on a &lens sheet…"));
   if (!sheet) return;
   const QString name = QFileInfo(QString::fromStdString(sheet->file)).fileName().toHtmlEscaped();
   m_figures->setText((name.isEmpty() ? QString() : "<b>" + name + "</b><br>") +
@@ -75,6 +76,7 @@ void DisplayDock::askSheet() {
   guarded(this, [&] {
     Session content = m_model->session();
     content.display = withCalibration(content.display, file.toStdString());
+    content.lightField.viewingDistance = notGiven;  // which is of hogels
     m_model->setContent(content);
   });
 }

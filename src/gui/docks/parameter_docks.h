@@ -9,6 +9,7 @@
 #include "gui/session/session_model.h"
 
 class QLabel;
+class QPushButton;
 class QAction;
 class QCheckBox;
 class QToolButton;
@@ -39,7 +40,8 @@ class DisplayDock : public QWidget {
   SessionModel* m_model;
   QWidget* m_sheet;  ///< a lens sheet's calibration, and the button for another one
   QLabel* m_figures;
-  QToolButton* m_lock = nullptr;  ///< on: the size is held, off: the hogels' pitch
+  QPushButton* m_choose = nullptr;  ///< of a calibration
+  QToolButton* m_lock = nullptr;    ///< on: the size is held, off: the hogels' pitch
 };
 
 /// The twin dock: how the unit that is seen differs from the display as designed.

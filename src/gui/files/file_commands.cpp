@@ -222,10 +222,6 @@ void FileCommands::offer(const QString& file, const Opening& opening, bool isAsk
     Session& session = shown.around.session;
     if (!sheet.isEmpty()) session = onSheet(session.lightField, sheet.toStdString());
     take(file, shown);
-    if (sheet.isEmpty() && session.lightField.layout == Layout::quilt)
-      Q_EMIT done(
-          tr("Shown on a display of hogels: open a visual.json too to see this quilt on a "
-             "lens sheet"));
     for (const std::string& warning : opening.around.order.warnings)
       Q_EMIT failed(file + ": " + QString::fromStdString(warning));
   });

@@ -292,7 +292,7 @@ void ParameterForm::group(std::string_view name, std::string_view help) {
 }
 
 /// Returns the field's editor, created by `make` if missing, but not by defaults. Fields of one
-/// name may have editors of several kinds, and other ranges in another group.
+/// name may have editors of several kinds, and other ranges in another group or with another label.
 template <class Make>
 auto ParameterForm::editor(const Field& field, Make make) -> decltype(make()) {
   using Editor = std::remove_pointer_t<decltype(make())>;
@@ -308,7 +308,7 @@ auto ParameterForm::editor(const Field& field, Make make) -> decltype(make()) {
 }
 
 QString ParameterForm::keyOf(const Field& field, const char* kind) const {
-  return m_group + " " + toQString(field.name) + " " + kind;
+  return m_group + " " + toQString(field.name) + " " + toQString(field.label) + " " + kind;
 }
 
 void ParameterForm::addRow(const Field& field, const QString& key, QWidget* editor) {
