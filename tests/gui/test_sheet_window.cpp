@@ -49,6 +49,7 @@ class TestSheetWindow : public HabitsTest {
   void mistakes();
   void displaySectionHasTheCalibration();
   void wrongCalibrationIsTried();
+  void sectionsOfferWhatASheetHas();
   void sceneShowsLensesAndFlips();
   void eyesAreTold();
   void inspectorNamesSubPixels();
@@ -273,6 +274,34 @@ void TestSheetWindow::wrongCalibrationIsTried() {
   QCOMPARE(errors(), QString());
 }
 
+/// What a sheet refuses is not offered, but can be mended where it is given.
+void TestSheetWindow::sectionsOfferWhatASheetHas() {
+  const auto offers = [this](const char* area, const char* name) {
+    const auto* box = child<QWidget>(area)->findChild<QWidget*>(name);
+    return box != nullptr && box->isVisibleTo(child<QWidget>(area));
+  };
+  const std::vector<std::pair<const char*, const char*>> ofHogels{
+      {"twinArea", "focalError"}, {"twinArea", "wedge.0"},   {"twinArea", "sigmaGrowth"},
+      {"psfArea", "windowSize"},  {"psfArea", "kernelView"}, {"samplingArea", "reconstruction"}};
+  drop({path("q_qs6x1a1.5.png")});
+  QTRY_VERIFY_WITH_TIMEOUT(hasPicture(), patience);
+  for (const auto& [area, name] : ofHogels) QVERIFY2(offers(area, name), name);
+  openSheet();
+  for (const auto& [area, name] : ofHogels) QVERIFY2(!offers(area, name), name);
+  QVERIFY(offers("twinArea", "gapError") && offers("samplingArea", "samplesPerPixel"));
+  QVERIFY(text("energyLabel").contains("no directions to leak into"));
+  TwinParams twin;
+  twin.lensArray.focalError = 0.01;
+  model().setTwin(twin);
+  Session content = model().session();
+  content.sampling.reconstruction = Reconstruction::bilinear;
+  model().setContent(content);
+  QVERIFY(offers("twinArea", "focalError") && offers("samplingArea", "reconstruction"));
+  QVERIFY(!offers("psfArea", "windowSize"));
+  model().editMarked([](CameraState& state) { state.psf = {.sigma = 1, .windowSize = 3}; });
+  QVERIFY(offers("psfArea", "windowSize") && offers("psfArea", "kernelView"));
+}
+
 void TestSheetWindow::sceneShowsLensesAndFlips() {
   openSheet();
   const auto overview = [this] {
@@ -328,7 +357,8 @@ void TestSheetWindow::inspectorNamesSubPixels() {
   controller->showPixel(pixel.x(), pixel.y());
   QTRY_VERIFY_WITH_TIMEOUT(text("inspectorValues").startsWith("Pixel"), patience);
   const QString values = text("inspectorValues");
-  QVERIFY2(!values.contains("hogel") && !values.contains("direction"), qPrintable(values));
+  for (const char* word : {"hogel", "direction", "leakage"})
+    QVERIFY2(!values.contains(word), qPrintable(values));
   QVERIFY(child<ImageWidget>("inspectorHogel")->isHidden());
   QVERIFY(scene().picked().hasRay() && scene().picked().label().empty());
   // The views whose greys the pixel has.

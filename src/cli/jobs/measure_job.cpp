@@ -52,8 +52,12 @@ int runMeasure(const CommandLine& line) {
   for (const std::string& file : request.display.lensParams.files()) inputs.emplace_back(file);
   checkOutputs({folder / "measure.csv", folder / "measure.html"}, inputs);
   keepSession(line, request.session);
-  if (!isQuiet && !request.session.twin.isZero())
-    printNote(request.name + ": warning: the display is measured as designed, without its twin");
+  const auto warn = [&](const char* text) {
+    if (!isQuiet) printNote(request.name + ": warning: " + text);
+  };
+  if (!request.session.twin.isZero()) warn("the display is measured as designed, without its twin");
+  if (request.session.lightField.calibration)
+    warn("the panel is woven for the lens sheet itself, not for lightField.calibration");
   ProgressBar bar("measuring", isQuiet);
   const Measured measured = measure(request, bar.progress());
   bar.done();

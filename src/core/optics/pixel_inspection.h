@@ -33,8 +33,9 @@ struct PixelTrace {
   Vec2 position;  ///< the target in the display frame; valid if `place` has a value
   Vec2 slopes;    ///< dx/dz, dy/dz of the light in the display frame; valid as `position` is
   std::optional<Hit> place;  ///< hogel and direction, also beyond the panel and the angular field
-  int taps =
-      0;  ///< directional pixels that add up to the light of the nearest direction; 0: not seen
+  /// Directional pixels that add up to the light of the nearest direction; 0: not seen, or on a
+  /// lens sheet.
+  int taps = 0;
   std::optional<Rgb> colour;  ///< the colour of all rays, code values; none: not seen
 };
 

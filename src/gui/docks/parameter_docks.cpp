@@ -105,18 +105,30 @@ ParameterForm* TwinDock::form(Part& (*part)(TwinParams&)) {
       });
 }
 
-TwinDock::TwinDock(SessionModel* model, QWidget* parent) : QWidget(parent), m_model(model) {
+TwinDock::TwinDock(SessionModel* model, QWidget* parent)
+    : QWidget(parent),
+      m_model(model),
+      m_lenses(form<LensArrayErrors>([](TwinParams & twin) -> auto& { return twin.lensArray; })),
+      m_ofHogels(stackWidgets(
+          {form<RandomShift>([](TwinParams & twin) -> auto& { return twin.random.shift; }),
+           form<RandomGain>([](TwinParams & twin) -> auto& { return twin.random.gain; }),
+           form<TwinRandom>([](TwinParams & twin) -> auto& { return twin.random; }),
+           form<ColourErrors>([](TwinParams & twin) -> auto& { return twin.colour; }),
+           form<LeakageErrors>([](TwinParams & twin) -> auto& { return twin.leakage; }),
+           form<LightErrors>([](TwinParams & twin) -> auto& { return twin.light; }),
+           form<TwinMapFiles>([](TwinParams & twin) -> auto& { return twin.maps; })})) {
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
-  layout->addWidget(stackWidgets(
-      {form<LensArrayErrors>([](TwinParams & twin) -> auto& { return twin.lensArray; }),
-       form<RandomShift>([](TwinParams & twin) -> auto& { return twin.random.shift; }),
-       form<RandomGain>([](TwinParams & twin) -> auto& { return twin.random.gain; }),
-       form<TwinRandom>([](TwinParams & twin) -> auto& { return twin.random; }),
-       form<ColourErrors>([](TwinParams & twin) -> auto& { return twin.colour; }),
-       form<LeakageErrors>([](TwinParams & twin) -> auto& { return twin.leakage; }),
-       form<LightErrors>([](TwinParams & twin) -> auto& { return twin.light; }),
-       form<TwinMapFiles>([](TwinParams & twin) -> auto& { return twin.maps; })}));
+  layout->addWidget(stackWidgets({m_lenses, m_ofHogels}));
+  onAnyChange(model, this, &TwinDock::showForms);
+  showForms();
+}
+
+void TwinDock::showForms() {
+  const Session& session = m_model->session();
+  const bool isSheet = session.display.sheet && isOfSheet(session.twin);
+  for (const char* name : {"wedge", "focalError", "outside"}) m_lenses->hideField(name, isSheet);
+  m_ofHogels->setHidden(isSheet);
 }
 
 CameraDock::CameraDock(SessionModel* model, QWidget* parent)
@@ -229,14 +241,18 @@ PsfDock::PsfDock(SessionModel* model, QWidget* parent)
   layout->addWidget(m_form);
   layout->addWidget(m_energy);
   layout->addWidget(m_kernel, 1);
-  for (const auto change : {&SessionModel::opened, &SessionModel::currentChanged,
-                            &SessionModel::edited, &SessionModel::statesChanged})
-    connect(m_model, change, this, &PsfDock::showKernel);
+  onAnyChange(m_model, this, &PsfDock::showKernel);
   showKernel();
 }
 
 void PsfDock::showKernel() {
   const PsfParams psf = m_model->current().psf;
+  // A window that a sheet refuses can still be mended here.
+  const bool isSheet = m_model->session().display.sheet && psf.windowSize == 1;
+  m_form->setHidden(isSheet);
+  m_kernel->setHidden(isSheet);
+  if (isSheet)
+    return m_energy->setText(tr("The pixels behind a lens sheet have no directions to leak into."));
   m_kernel->setParams(psf);
   if (psf.windowSize == 1)
     return m_energy->setText(tr("A window of 1: no light leaks, and sigma is not used."));

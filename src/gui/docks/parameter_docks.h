@@ -55,8 +55,12 @@ class TwinDock : public QWidget {
   /// Creates a form of a part of the twin, which `part` returns.
   template <class Part>
   ParameterForm* form(Part& (*part)(TwinParams&));
+  /// Hides what a lens sheet cannot have, unless it is given and has to be removed.
+  void showForms();
 
   SessionModel* m_model;
+  ParameterForm* m_lenses;
+  QWidget* m_ofHogels;
 };
 
 /// The camera dock: the pose of the current state, and its field of view or its intrinsics.

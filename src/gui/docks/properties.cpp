@@ -40,11 +40,12 @@ QStringList summariesOf(const Session& session, const CameraState& state) {
   const QString file =
       QFileInfo(QString::fromStdString(contentName(session.lightField))).fileName();
   return {file + QStringLiteral(" · ") + words(nameOf(session.lightField.layout)),
-          QStringLiteral("%1 × %2 · %3 × %4")
-              .arg(display.hogels[0])
-              .arg(display.hogels[1])
-              .arg(display.directions[0])
-              .arg(display.directions[1]),
+          display.sheet ? Properties::tr("lens sheet")
+                        : QStringLiteral("%1 × %2 · %3 × %4")
+                              .arg(display.hogels[0])
+                              .arg(display.hogels[1])
+                              .arg(display.directions[0])
+                              .arg(display.directions[1]),
           session.twin.isZero() ? Properties::tr("as designed")
           : session.twinFile.empty()
               ? Properties::tr("as built")
@@ -110,6 +111,12 @@ Properties::Properties(SessionModel* model, QAction* importAction, QMainWindow* 
   layout->setContentsMargins(0, 0, 0, 0);
   layout->addWidget(m_area);
   onAnyChange(model, this, &Properties::showSummaries);
+  onAnyChange(model, sampling, [model, sampling] {
+    const Session& session = model->session();
+    sampling->hideField(
+        "reconstruction",
+        session.display.sheet && session.sampling.reconstruction == Reconstruction::nearest);
+  });
 }
 
 Section* Properties::add(const char* name, const QString& title, QWidget* content,
