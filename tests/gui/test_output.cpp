@@ -315,10 +315,8 @@ void TestOutput::sceneForFigures() {
     for (std::size_t at = 0; at < values.size(); at += 4) {
       const int alpha = values[at + 3];
       if (alpha <= 60 || alpha >= 160) continue;
-      const auto whole = [&](std::size_t channel) {  // OpenImageIO has multiplied it by alpha
-        return std::min(255, (255 * values[at + channel] + alpha / 2) / alpha);
-      };
-      if (distance(QColor(whole(0), whole(1), whole(2)), lightTokens().axes[1]) < 30) ++edges;
+      const QColor colour(values[at], values[at + 1], values[at + 2]);
+      if (distance(colour, lightTokens().axes[1]) < 30) ++edges;
     }
     QVERIFY2(edges > 10, qPrintable(QString::number(edges)));
   }

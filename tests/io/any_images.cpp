@@ -68,7 +68,9 @@ PictureSpec specOf(const QString& file) {
 
 template <class T>
 std::vector<T> valuesOf(const QString& file) {
-  const auto in = OIIO::ImageInput::open(file.toStdString());
+  OIIO::ImageSpec asStored;
+  asStored.attribute("oiio:UnassociatedAlpha", 1);
+  const auto in = OIIO::ImageInput::open(file.toStdString(), &asStored);
   if (!in) return {};
   const OIIO::ImageSpec& spec = in->spec();
   std::vector<T> values(spec.image_pixels() * std::size_t(spec.nchannels));

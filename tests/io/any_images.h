@@ -29,7 +29,7 @@ struct PictureSpec {
 };
 PictureSpec specOf(const QString& file);
 
-/// Returns all channels of all pixels as T (unsigned char, unsigned short or float); empty if
-/// unreadable.
+/// Returns all channels of all pixels as T (unsigned char, unsigned short or float), colours as
+/// they are stored beside an alpha; empty if unreadable.
 template <class T>
 std::vector<T> valuesOf(const QString& file);
