@@ -9,6 +9,8 @@
 #include <cmath>
 #include <cstring>
 #include <fstream>
+#include <iostream>
+#include <map>
 #include <numbers>
 
 #include "core/base/multiversioned.h"
@@ -55,6 +57,39 @@ void takeFlag(int& argc, char** argv, const char* name, int& value) {
     return;
   }
 }
+
+/// Prints after all benchmarks what views take of their limits, and a lens of a view without.
+class RatioReporter : public benchmark::ConsoleReporter {
+ public:
+  RatioReporter() : ConsoleReporter(OO_None) {}
+  void ReportRuns(const std::vector<Run>& runs) override {
+    ConsoleReporter::ReportRuns(runs);
+    for (const Run& run : runs)
+      if (run.run_type == Run::RT_Iteration || run.aggregate_name == "median")
+        m_times[run.run_name.function_name].push_back(run.GetAdjustedRealTime());
+  }
+  void Finalize() override {
+    for (const auto& [name, times] : m_times) {
+      if (name.starts_with("view/")) print(name, "limit/" + name.substr(5));
+      if (const std::size_t at = name.find(" distorted"); at != std::string::npos)
+        print(name, name.substr(0, at));
+    }
+  }
+
+ private:
+  void print(const std::string& name, const std::string& other) {
+    if (!m_times.contains(other)) return;
+    std::cout << name << ": " << median(name) / median(other) << " times " << other << '\n';
+  }
+  double median(const std::string& name) {
+    std::vector<double>& times = m_times[name];
+    const auto middle = times.begin() + std::ptrdiff_t(times.size() / 2);
+    std::nth_element(times.begin(), middle, times.end());
+    return *middle;
+  }
+
+  std::map<std::string, std::vector<double>> m_times;
+};
 
 }  // namespace
 
@@ -120,6 +155,9 @@ int main(int argc, char** argv) {
   addViews();
   addLayouts();
   addOneThread();
-  benchmark::RunSpecifiedBenchmarks();
+  benchmark::AddCustomContext("lens table",
+                              "double points; strips of 64 pixels, float polynomials of degree 5");
+  RatioReporter reporter;
+  benchmark::RunSpecifiedBenchmarks(&reporter);
   return 0;
 }

@@ -39,10 +39,16 @@ RenderJob leaking7(int pose) {
   return leaking(pose, 0.946, 7);
 }
 
-/// 64 samples of a pupil of 4 mm that focuses on the panel.
-RenderJob through64(int pose) {
+/// Samples of a pupil of 4 mm that focuses on the panel.
+template <int samples>
+RenderJob through(int pose) {
   RenderJob job = viewOf(pose);
-  job.state.pupil = {0.004, 0, 64};
+  job.state.pupil = {0.004, 0, samples};
+  return job;
+}
+RenderJob through16Distorted(int pose) {
+  RenderJob job = distorted(pose);
+  job.state.pupil = {0.004, 0, 16};
   return job;
 }
 RenderJob leaking5Through64(int pose) {
@@ -52,7 +58,7 @@ RenderJob leaking5Through64(int pose) {
 }
 /// The same, focused 0.2 m behind the panel.
 RenderJob behindThrough64(int pose) {
-  RenderJob job = through64(pose);
+  RenderJob job = through<64>(pose);
   job.state.pupil.focus = axisDistance(job.state.camera, job.display) + 0.2;
   return job;
 }
@@ -304,7 +310,9 @@ void addViews() {
   add("view/psf 7x7", timeViews, leaking7, 0);
   add("limit/quadrilinear", limit, plain, 2, 2);
   add("view/quadrilinear", timeViews, quadrilinear, 0);
-  add("view/pupil 64", timeViews, through64, 0);
+  add("view/pupil 16", timeViews, through<16>, 0);
+  add("view/pupil 16 distorted", timeViews, through16Distorted, 0);
+  add("view/pupil 64", timeViews, through<64>, 0);
   add("view/pupil 64, focus behind", timeViews, behindThrough64, 0);
   add("view/pupil 64, psf 5x5", timeViews, leaking5Through64, 0);
   add("16x16 px/nearest", smallViews, plain);

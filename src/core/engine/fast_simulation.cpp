@@ -23,7 +23,9 @@ FastSimulation::FastSimulation(const RenderJob& job, LensTables& tables,
                                const ParallelRows& parallelRows, const Progress& progress)
     : m_rays(job, tables, parallelRows, progress),
       m_texels(job.lightField->slice(m_rays.reads(parallelRows), part(m_rays.progress(), 0, 0))),
-      m_filter(m_texels, job, m_rays.plan()) {}
+      m_filter(m_texels, job, m_rays.plan()) {
+  if (m_rays.plan().usesStrips) m_fixedMap = FixedMap::of(m_rays.map(0));
+}
 
 void FastSimulation::row(int y, int x0, int x1, std::uint8_t* rgb, std::uint8_t* seen) const {
   throwIfCancelled(m_rays.progress());
@@ -65,6 +67,9 @@ void FastSimulation::copyPlainRow(int y, int x0, int x1, std::uint8_t* rgb,
 void FastSimulation::copyRow(int y, int x0, int x1, std::uint8_t* rgb, std::uint8_t* seen) const {
   const LensTable& lens = *m_rays.lens();
   const RaySample& sample = m_rays.samplesFrom(0).front();
+  if (m_fixedMap && x0 == 0)
+    return copyLensRays(*m_fixedMap, m_texels->layout(), byteTexels(), lens.strips(y),
+                        lens.x(y, sample), lens.y(y, sample), x1, rgb, seen);
   copyRays(m_rays.map(0), m_texels->layout(), byteTexels(), lens.x(y, sample) + x0,
            lens.y(y, sample) + x0, x1 - x0, rgb, seen);
 }

@@ -5,7 +5,9 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 
+#include "core/engine/lens_kernels.h"
 #include "core/engine/texel_filter.h"
 #include "core/engine/view_rays.h"
 #include "core/optics/image.h"
@@ -41,6 +43,7 @@ class FastSimulation {
   ViewRays m_rays;
   std::shared_ptr<const LightField> m_texels;
   TexelFilter m_filter;
+  std::optional<FixedMap> m_fixedMap;  ///< of a lens whose texels are copied
 };
 
 }  // namespace hogelscope

@@ -86,6 +86,8 @@ Plan plan(const RenderJob& job, const Display& display) {
   plan.sumsLinear = plan.sumsTexels && psf.light == LightModel::linear;
   plan.copiesTexels = isPinhole && !plan.sumsTexels &&
                       job.lightField->type() == StoredType::uint8 && job.lightField->isInMemory();
+  plan.usesStrips = plan.copiesTexels && plan.isTableKept && plan.hasLinearHogels &&
+                    !plan.movesRays && !plan.isBehind && !job.method.isSingle;
   if (display.sheet() != nullptr)
     plan.spotReach = static_cast<int>(display.sheet()->spot().size() / 2);
   plan.copiesPixels = display.sheet() != nullptr && display.sheet()->spot().empty() && isPinhole &&

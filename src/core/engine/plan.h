@@ -27,6 +27,7 @@ struct Plan {
   bool sumsLinear = false;    ///< light is decoded before it is summed
   bool isSimpleTwin = false;  ///< a twin that copyTwinRays() knows
   bool copiesTexels = false;  ///< each pixel is one stored texel of 8 bits, in memory
+  bool usesStrips = false;    ///< cells are found from polynomials of the lens's strips
 };
 
 /// Makes the plan of a view; `job.lightField` must not be null.

@@ -102,6 +102,10 @@ std::vector<Decision> decisionsOf(const RenderJob& job, const Plan& plan) {
   if (plan.copiesTexels)
     decisions.push_back(
         {"texels are copied", "nothing is summed and they have 8 bits", "all arithmetic on light"});
+  if (plan.usesStrips)
+    decisions.push_back({"cells from polynomials of strips of 64 pixels",
+                         "their errors are known: near a cell's border the table of rays decides",
+                         "most reads of the table of rays"});
   if (plan.aperture.isPinhole && !plan.sumsTexels && job.state.psf.light == LightModel::linear)
     decisions.push_back(
         {"no decoding to linear light", "nothing is summed", "two conversions for each ray"});

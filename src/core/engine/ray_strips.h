@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The loops of row_kernels.cpp and twin_kernels.cpp share this: rays in strips, their indices and
-// texels.
+// The loops of row_kernels.cpp, lens_kernels.cpp and twin_kernels.cpp share this: rays in strips,
+// their indices and texels.
 #pragma once
 
 #include <algorithm>
@@ -123,51 +123,80 @@ inline __attribute__((always_inline)) void padStrip(const double*& x, const doub
   y = paddedY.data();
 }
 
-/// Finds and prefetches the addresses of at most a strip of rays, whose cells `find` finds.
-template <Rays rays, class Find>
-inline __attribute__((always_inline)) void findAddresses(const Find& find, const BlockLayout& l,
+/// The rays of a strip that see the display.
+enum class StripHits { none, some, all };
+
+/// Finds and prefetches the addresses of at most a strip of rays, whose cells `find` finds. Returns
+/// false if there are none.
+template <class Find>
+inline __attribute__((always_inline)) bool findAddresses(const Find& find, const BlockLayout& l,
                                                          const Texel<std::uint8_t>* texels,
-                                                         const double* x, const double* y,
-                                                         int count, std::uint32_t* address,
+                                                         int first, int count,
+                                                         std::uint32_t* address,
                                                          std::uint8_t* seen) {
-  Strip<double> paddedX;
-  Strip<double> paddedY;
-  padStrip<rays>(x, y, count, paddedX, paddedY);
   CellStrip strip;
-  find(x, y, strip);
-  for (std::size_t k = 0; k < stripSize; ++k) {
-    const std::uint32_t found = l.i.inBlocks(strip.cell[0][k]) + l.j.inBlocks(strip.cell[1][k]) +
-                                l.u.inBlocks(strip.cell[2][k]) + l.v.inBlocks(strip.cell[3][k]);
-    address[k] = rays == Rays::hits || strip.seen[k] != 0 ? found : l.texels;
-  }
+  const StripHits hits = find(first, count, strip);
+  if (hits == StripHits::none) return false;
+  for (std::size_t k = 0; k < stripSize; ++k)
+    address[k] = l.i.inBlocks(strip.cell[0][k]) + l.j.inBlocks(strip.cell[1][k]) +
+                 l.u.inBlocks(strip.cell[2][k]) + l.v.inBlocks(strip.cell[3][k]);
+  if (hits == StripHits::some)
+    for (std::size_t k = 0; k < stripSize; ++k)
+      address[k] = strip.seen[k] != 0 ? address[k] : l.texels;
 #pragma GCC unroll 8
   for (int k = 0; k < count; ++k) __builtin_prefetch(texels + address[k]);
-  if constexpr (rays != Rays::hits)
+  if (seen == nullptr) return true;
+  if (hits == StripHits::all)
+    std::memset(seen, 255, std::size_t(count));
+  else
     for (int k = 0; k < count; ++k) seen[k] = static_cast<std::uint8_t>(strip.seen[std::size_t(k)]);
+  return true;
 }
 
-/// Copies a texel for each ray, whose cells `find` finds strip by strip, and its address `ahead`
-/// rays before, so that it has come from memory by then.
+/// Copies a texel for each ray; find(first, count, strip) finds the cells of the rays from `first`
+/// on, at most a strip, `ahead` rays before they are copied, so that texels have come from memory.
+/// What no ray of a strip sees is left as it is. `seen` may be null if all rays hit.
+template <class Find>
+inline __attribute__((always_inline)) void copyStrips(const Find& find, const BlockLayout& layout,
+                                                      const Texel<std::uint8_t>* texels, int count,
+                                                      std::uint8_t* rgb, std::uint8_t* seen) {
+  constexpr int ahead = 128;
+  constexpr int kept = 2 * ahead / stripSize;
+  const BlockLayout l = layout;  // a copy, so that the compiler knows that stores do not change it
+  std::array<std::uint32_t, 2 * ahead> address;
+  std::array<bool, kept> isSeen{};
+  for (int first = 0; first < count + ahead; first += stripSize) {
+    const auto slot = [](int ray) { return std::size_t(ray / stripSize % kept); };
+    if (first < count)
+      isSeen[slot(first)] = findAddresses(
+          find, l, texels, first, std::min(stripSize, count - first),
+          &address[slot(first) * stripSize], seen == nullptr ? nullptr : seen + first);
+    const int done = first - ahead;
+    if (done >= 0 && isSeen[slot(done)])
+      packRgb(texels, &address[slot(done) * stripSize], std::min(stripSize, count - done),
+              rgb + std::ptrdiff_t(3) * done);
+  }
+}
+
+/// The same for rays through points (x, y), whose cells find(x, y, strip) finds.
 template <Rays rays, class Find>
 inline __attribute__((always_inline)) void copyTexels(const Find& find, const BlockLayout& layout,
                                                       const Texel<std::uint8_t>* texels,
                                                       const double* x, const double* y, int count,
                                                       std::uint8_t* rgb, std::uint8_t* seen) {
-  constexpr int ahead = 128;
-  const BlockLayout l = layout;  // a copy, so that the compiler knows that stores do not change it
-  std::array<std::uint32_t, 2 * ahead> address;
-  const auto strip = [&](int first) { return &address[std::size_t(first % (2 * ahead))]; };
-  for (int first = 0; first < count + ahead; first += stripSize) {
-    if (first < count)
-      findAddresses<rays>(find, l, texels, x + first, rays == Rays::any ? y + first : y,
-                          std::min(stripSize, count - first), strip(first),
-                          rays == Rays::hits ? nullptr : seen + first);
-    const int done = first - ahead;
-    if (done >= 0)
-      packRgb(texels, strip(done), std::min(stripSize, count - done),
-              rgb + std::ptrdiff_t(3) * done);
-  }
+  const auto findPadded =
+      [&find, x, y ](int first, int strips, CellStrip& strip) __attribute__((always_inline)) {
+    Strip<double> paddedX;
+    Strip<double> paddedY;
+    const double* stripX = x + first;
+    const double* stripY = rays == Rays::any ? y + first : y;
+    padStrip<rays>(stripX, stripY, strips, paddedX, paddedY);
+    find(stripX, stripY, strip);
+    return rays == Rays::hits ? StripHits::all : StripHits::some;
+  };
+  copyStrips(findPadded, layout, texels, count, rgb, seen);
 }
+
 /// The indices of a batch; 0 where nothing is seen.
 template <class Real>
 struct IndexBatch {

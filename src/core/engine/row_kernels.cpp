@@ -107,6 +107,15 @@ void copyRays(const HitMap& map, const BlockLayout& layout, const Texel<std::uin
     copyDesign<Rays::any, double>(map, layout, texels, x, y, count, rgb, seen);
 }
 
+MULTIVERSIONED
+void findStripCells(const HitMap& map, const double* x, const double* y, int count,
+                    CellStrip& strip) {
+  Strip<double> paddedX;
+  Strip<double> paddedY;
+  padStrip<Rays::any>(x, y, count, paddedX, paddedY);
+  findStrip<Rays::any>(RealMap<double>(map), x, y, strip);
+}
+
 void findCells(const HitMap& map, const double* x, const double* y, int count, CellBatch& batch,
                std::size_t channel) {
   if (map.panel.sheet != nullptr)

@@ -6,6 +6,7 @@
 #include <cstdint>
 
 #include "core/engine/hit_map.h"
+#include "core/engine/ray_strips.h"
 #include "core/light_field/block_layout.h"
 #include "core/light_field/light_field.h"
 
@@ -25,6 +26,10 @@ void copyHits(const HitMap& map, const BlockLayout& layout, const Texel<std::uin
 /// Writes 255 or 0 for seen or not.
 void copyRays(const HitMap& map, const BlockLayout& layout, const Texel<std::uint8_t>* texels,
               const double* x, const double* y, int count, std::uint8_t* rgb, std::uint8_t* seen);
+
+/// Finds the cells of at most a strip of rays that meet a design, by a map of linear hogel lenses.
+void findStripCells(const HitMap& map, const double* x, const double* y, int count,
+                    CellStrip& strip);
 
 /// Fills a batch with the cells of one colour of a twin, of which others have the same; cell 0
 /// where nothing is seen.

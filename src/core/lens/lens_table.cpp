@@ -7,20 +7,26 @@ namespace hogelscope {
 
 std::size_t LensTable::bytes(const std::array<int, 2>& res, int samplesPerPixel) {
   const auto samples = std::size_t(samplesPerPixel) * std::size_t(samplesPerPixel);
-  return samples * std::size_t(res[0]) * std::size_t(res[1]) * 2 * sizeof(double);
+  const std::size_t points = samples * std::size_t(res[0]) * 2 * sizeof(double);
+  const std::size_t strips = samples == 1 ? LensStrips::inRow(res[0]) * sizeof(LensStrips) : 0;
+  return (points + strips) * std::size_t(res[1]);
 }
 
 LensTable::LensTable(const LensKey& key, const ParallelRows& parallelRows, const Progress& progress)
-    : m_key(key), m_x(bytes(key.res, key.samplesPerPixel) / (2 * sizeof(double))), m_y(m_x.size()) {
+    : m_key(key), m_x(at(key.res[1], 0)), m_y(m_x.size()) {
   const Progress heard = forThreads(progress);
   const LensRays rays(key, heard);
   const std::vector<RaySample> samples = samplesOf(key.samplesPerPixel);
   const int n = int(samples.size());
+  const StripFit fit(key.res[0]);
+  const std::size_t strips = LensStrips::inRow(key.res[0]);
+  if (n == 1) m_strips.resize(strips * std::size_t(key.res[1]));
   parallelRows(key.res[1] * n, [&](int begin, int end) {
     for (int row = begin; row < end; ++row) {
       throwIfCancelled(heard);
       const std::size_t first = std::size_t(row) * std::size_t(key.res[0]);
       rays.row(row / n, samples[std::size_t(row % n)], 0, key.res[0], &m_x[first], &m_y[first]);
+      if (n == 1) fit.row(&m_x[first], &m_y[first], &m_strips[std::size_t(row) * strips]);
     }
   });
 }

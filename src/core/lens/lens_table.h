@@ -8,8 +8,10 @@
 #include <memory>
 #include <vector>
 
+#include "core/base/huge_pages.h"
 #include "core/base/parallel.h"
 #include "core/lens/lens_rays.h"
+#include "core/lens/lens_strips.h"
 
 namespace hogelscope {
 
@@ -22,6 +24,10 @@ class LensTable {
   /// where there is no ray.
   [[nodiscard]] const double* x(int y, const RaySample& s) const { return &m_x[at(y, s.index)]; }
   [[nodiscard]] const double* y(int y, const RaySample& s) const { return &m_y[at(y, s.index)]; }
+  /// Returns the strips of row `y`; of a table with one ray a pixel.
+  [[nodiscard]] const LensStrips* strips(int y) const {
+    return &m_strips[std::size_t(y) * LensStrips::inRow(m_key.res[0])];
+  }
   /// Returns the bytes that a table takes in memory.
   static std::size_t bytes(const std::array<int, 2>& res, int samplesPerPixel);
 
@@ -29,8 +35,9 @@ class LensTable {
   [[nodiscard]] std::size_t at(int y, int sample) const;
 
   LensKey m_key;
-  std::vector<double> m_x;
-  std::vector<double> m_y;
+  std::vector<double, HugePageAllocator<double>> m_x;
+  std::vector<double, HugePageAllocator<double>> m_y;
+  std::vector<LensStrips> m_strips;
 };
 
 /// Keeps the latest tables, up to a total size. Not thread-safe.
