@@ -23,7 +23,9 @@ LensKey keyOf(const DistortionParams& lens, int width, double fov) {
   state.distortion = lens;
   state.camera.res = {width, width};
   state.camera.fov = fov;
-  return lensKeyOf(state, {});
+  LensKey key = lensKeyOf(state, {});
+  key.hasStrips = true;
+  return key;
 }
 
 /// Returns how far a point is from a strip's polynomial, less the rounding of this sum.

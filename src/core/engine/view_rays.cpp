@@ -106,8 +106,11 @@ ViewRays::ViewRays(const RenderJob& job, LensTables& tables, const ParallelRows&
     m_middle = middleOf(m_display.displayFromWorld() * camera.worldFromCamera(), m_display);
   for (int x = 0; x < job.state.camera.res[0]; ++x)
     m_x.push_back((x - m_lensKey.centre.x) / m_lensKey.focalLength.x);
-  if (m_plan.isTableKept && !seesNothing())
-    m_lens = tables.get(m_lensKey, parallelRows, m_progress);
+  if (m_plan.isTableKept && !seesNothing()) {
+    LensKey key = m_lensKey;
+    key.hasStrips = m_plan.usesStrips;
+    m_lens = tables.get(key, parallelRows, m_progress);
+  }
   if (!m_lens) m_rays.emplace(m_lensKey, m_progress);
 }
 

@@ -20,7 +20,8 @@ struct LensKey {
   Vec2 centre;       ///< pixels
   int samplesPerPixel = 1;
   LensInverse inverse = LensInverse::exact;
-  int steps = 0;  ///< steps of the inverse
+  int steps = 0;           ///< steps of the inverse
+  bool hasStrips = false;  ///< of its table, with one ray a pixel
   /// Returns the point of the plane z = 1 under a pixel.
   [[nodiscard]] Vec2 onSensor(double px, double py) const {
     return {(px - centre.x) / focalLength.x, (py - centre.y) / focalLength.y};

@@ -7,9 +7,12 @@ namespace hogelscope {
 
 std::size_t LensTable::bytes(const std::array<int, 2>& res, int samplesPerPixel) {
   const auto samples = std::size_t(samplesPerPixel) * std::size_t(samplesPerPixel);
-  const std::size_t points = samples * std::size_t(res[0]) * 2 * sizeof(double);
-  const std::size_t strips = samples == 1 ? LensStrips::inRow(res[0]) * sizeof(LensStrips) : 0;
-  return (points + strips) * std::size_t(res[1]);
+  return samples * std::size_t(res[0]) * std::size_t(res[1]) * 2 * sizeof(double);
+}
+
+std::size_t LensTable::bytes(const LensKey& key) {
+  const std::size_t strips = LensStrips::inRow(key.res[0]) * std::size_t(key.res[1]);
+  return bytes(key.res, key.samplesPerPixel) + (key.hasStrips ? strips * sizeof(LensStrips) : 0);
 }
 
 LensTable::LensTable(const LensKey& key, const ParallelRows& parallelRows, const Progress& progress)
@@ -20,13 +23,13 @@ LensTable::LensTable(const LensKey& key, const ParallelRows& parallelRows, const
   const int n = int(samples.size());
   const StripFit fit(key.res[0]);
   const std::size_t strips = LensStrips::inRow(key.res[0]);
-  if (n == 1) m_strips.resize(strips * std::size_t(key.res[1]));
+  if (key.hasStrips) m_strips.resize(strips * std::size_t(key.res[1]));
   parallelRows(key.res[1] * n, [&](int begin, int end) {
     for (int row = begin; row < end; ++row) {
       throwIfCancelled(heard);
       const std::size_t first = std::size_t(row) * std::size_t(key.res[0]);
       rays.row(row / n, samples[std::size_t(row % n)], 0, key.res[0], &m_x[first], &m_y[first]);
-      if (n == 1) fit.row(&m_x[first], &m_y[first], &m_strips[std::size_t(row) * strips]);
+      if (key.hasStrips) fit.row(&m_x[first], &m_y[first], &m_strips[std::size_t(row) * strips]);
     }
   });
 }
@@ -44,9 +47,9 @@ std::shared_ptr<const LensTable> LensTables::get(const LensKey& key,
     m_entries.splice(m_entries.begin(), m_entries, found);
     return m_entries.front().table;
   }
-  std::size_t used = LensTable::bytes(key.res, key.samplesPerPixel);
+  std::size_t used = LensTable::bytes(key);
   for (auto entry = m_entries.begin(); entry != m_entries.end();) {
-    used += LensTable::bytes(entry->key.res, entry->key.samplesPerPixel);
+    used += LensTable::bytes(entry->key);
     entry = used > largestBytes ? m_entries.erase(entry) : std::next(entry);
   }
   m_entries.push_front({key, std::make_shared<const LensTable>(key, parallelRows, progress)});

@@ -24,12 +24,13 @@ class LensTable {
   /// where there is no ray.
   [[nodiscard]] const double* x(int y, const RaySample& s) const { return &m_x[at(y, s.index)]; }
   [[nodiscard]] const double* y(int y, const RaySample& s) const { return &m_y[at(y, s.index)]; }
-  /// Returns the strips of row `y`; of a table with one ray a pixel.
+  /// Returns the strips of row `y`, if the key has strips.
   [[nodiscard]] const LensStrips* strips(int y) const {
     return &m_strips[std::size_t(y) * LensStrips::inRow(m_key.res[0])];
   }
-  /// Returns the bytes that a table takes in memory.
+  /// Returns the bytes that a table takes in memory without strips.
   static std::size_t bytes(const std::array<int, 2>& res, int samplesPerPixel);
+  static std::size_t bytes(const LensKey& key);
 
  private:
   [[nodiscard]] std::size_t at(int y, int sample) const;
