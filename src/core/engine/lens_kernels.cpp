@@ -57,8 +57,8 @@ struct StripMaps {
 };
 
 inline __attribute__((always_inline)) double within(double value, double limit) {
-  const double atLeast = value > -limit ? value : -limit;
-  return atLeast < limit ? atLeast : limit;
+  const double raised = value > -limit ? value : -limit;
+  return raised < limit ? raised : limit;
 }
 
 /// The polynomial q(t) = n(t)/z(t), where n has no constant.
