@@ -140,6 +140,25 @@ class TestPlan : public QObject {
     QCOMPARE(worstDifference(job), 0);
   }
 
+  void stripsFindCellsWhereALensCopiesTexels() {
+    RenderJob job = sampleView();
+    QVERIFY(!plan(job).usesStrips);
+    job.state.distortion.k1 = 0.1;
+    QVERIFY(plan(job).usesStrips && says(job, "polynomials of strips"));
+    QCOMPARE(worstDifference(job), 0);
+    const auto usesStrips = [&job](void (*change)(RenderJob&)) {
+      RenderJob other = job;
+      change(other);
+      return plan(other).usesStrips;
+    };
+    QVERIFY(!usesStrips([](RenderJob& other) { other.state.psf = {0.67, 3}; }));
+    QVERIFY(!usesStrips([](RenderJob& other) { other.sampling.samplesPerPixel = 2; }));
+    QVERIFY(
+        !usesStrips([](RenderJob& other) { other.display.lens = HogelLensModel::equiangular; }));
+    QVERIFY(!usesStrips([](RenderJob& other) { other.method.isSingle = true; }));
+    QVERIFY(!usesStrips([](RenderJob& other) { other.state.camera.eye.z = -1; }));
+  }
+
   void behindThePanelThereAreNoRays() {
     RenderJob job = sampleView();
     job.state.camera.eye.z = -1;

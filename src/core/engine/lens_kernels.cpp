@@ -75,8 +75,8 @@ struct Quotient {
   }
 };
 
-/// Divides power series, written out so that the compiler makes vectors of several strips. n - z q
-/// is left, which begins with t^6, and `nearest` is the least |z|.
+/// Divides power series, written out so that the compiler makes vectors of several strips. What is
+/// left, n - z q, begins with t^6; `perNearest` is 1 over the least |z|.
 inline __attribute__((always_inline)) Quotient quotient(const Terms& n, const Terms& z, double perZ,
                                                         double perNearest) {
   const auto& [n0, n1, n2, n3, n4, n5] = n;
@@ -94,6 +94,59 @@ inline __attribute__((always_inline)) Quotient quotient(const Terms& n, const Te
   const double left =
       std::abs(left6) + std::abs(left7) + std::abs(left8) + std::abs(left9) + std::abs(left10);
   return {q1, q2, q3, q4, q5, left * std::abs(perNearest)};
+}
+
+/// The slopes a, or b, of a strip's rays.
+struct SlopeRange {
+  double middle;
+  Quotient more;  ///< what is added to it
+  double around;  ///< the most that is added
+  double wrong;   ///< the sum of all errors
+};
+
+/// `wrong` is the error of d.x, d.y and d.z.
+inline __attribute__((always_inline)) SlopeRange slopesOf(double middle, const Quotient& more,
+                                                          double wrong, double perNearest) {
+  constexpr double rounding = 1.01 * 0x1p-24;  // of float, and what is beyond first order
+  const double around = more.around();
+  const double ofPoints = wrong * (1 + std::abs(middle) + around) * std::abs(perNearest);
+  return {middle, more, around, ofPoints + more.tail + rounding * (more.rounding() + 4 * around)};
+}
+
+/// Keeps what is known of strip k. `isAway`: all its rays point away from the panel.
+inline __attribute__((always_inline)) void keep(const FixedMap& m, const SlopeRange& a,
+                                                const SlopeRange& b, bool isFacing, bool isAway,
+                                                std::size_t k, StripMaps& strips) {
+  std::array<double, 2> doubt;
+  for (std::size_t pair = 0; pair < 2; ++pair) {
+    const double ofA = std::abs(m.slope[2 * pair]) * a.wrong;
+    const double ofB = std::abs(m.slope[2 * pair + 1]) * b.wrong;
+    doubt[pair] = within(3 + (ofA > ofB ? ofA : ofB), 0x1p29);  // two numbers are truncated
+    strips.doubt[pair][k] = static_cast<std::uint32_t>(static_cast<std::int32_t>(doubt[pair]) + 1);
+  }
+  const bool isKnown = isFacing & (doubt[0] < m.mostDoubt) & (doubt[1] < m.mostDoubt);
+  bool isOut = false;
+  bool isIn = true;
+  for (std::size_t axis = 0; axis < 4; ++axis) {
+    const double index = m.constant[axis] + m.slope[axis] * (axis % 2 == 0 ? a : b).middle;
+    const double around = std::abs(m.slope[axis]) * (axis % 2 == 0 ? a : b).around;
+    const double margin = around + doubt[axis / 2];
+    isOut |= (index + margin < 0) | (index - margin > m.end[axis]);
+    isIn &= (index - margin > 0) & (index + margin < m.end[axis]);
+    strips.middle[axis][k] = static_cast<std::int32_t>(within(index, 0x1p30) + doubt[axis / 2]);
+  }
+  strips.isKnown[k] = isKnown ? 1 : 0;
+  strips.mayHit[k] = isAway | (isKnown & isOut) ? 0 : 1;
+  strips.mayMiss[k] = isKnown & isIn ? 0 : 1;
+  const auto inUnits = [k](const Quotient& q, double slope, FloatTerms& terms) {
+    terms[1][k] = static_cast<float>(slope * q.q1);
+    terms[2][k] = static_cast<float>(slope * q.q2);
+    terms[3][k] = static_cast<float>(slope * q.q3);
+    terms[4][k] = static_cast<float>(slope * q.q4);
+    terms[5][k] = static_cast<float>(slope * q.q5);
+  };
+  inUnits(a.more, m.slope[0], strips.i);
+  inUnits(b.more, m.slope[1], strips.j);
 }
 
 /// Works on all strips at once, without branches.
@@ -126,52 +179,10 @@ inline __attribute__((always_inline)) void prepare(const FixedMap& map, const Le
     const double wrong = 1.5 * lens.error[k];
     const double nearest = -dz - aroundZ - wrong;
     const double perNearest = 1 / nearest;
-    const Quotient moreA = quotient(ofX, ofZ, perZ, perNearest);
-    const Quotient moreB = quotient(ofY, ofZ, perZ, perNearest);
-    const double aroundA = moreA.around();
-    const double aroundB = moreB.around();
-    const auto wrongSlope = [&](double slope, double around, const Quotient& q) {
-      constexpr double rounding = 1.01 * 0x1p-24;  // of float, and what is beyond first order
-      const double ofPoints = wrong * (1 + std::abs(slope) + around) * std::abs(perNearest);
-      return ofPoints + q.tail + rounding * (q.rounding() + 4 * around);
-    };
-    const double wrongA = wrongSlope(a, aroundA, moreA);
-    const double wrongB = wrongSlope(b, aroundB, moreB);
-    std::array<double, 2> doubt;
-    for (std::size_t pair = 0; pair < 2; ++pair) {
-      const double ofA = std::abs(m.slope[2 * pair]) * wrongA;
-      const double ofB = std::abs(m.slope[2 * pair + 1]) * wrongB;
-      doubt[pair] = 3 + (ofA > ofB ? ofA : ofB);  // two numbers are truncated
-    }
-    const bool isKnown =
-        (lens.error[k] < 1) & (nearest > 0) & (doubt[0] < m.mostDoubt) & (doubt[1] < m.mostDoubt);
-    bool isOut = false;
-    bool isIn = true;
-    for (std::size_t axis = 0; axis < 4; ++axis) {
-      const double index = m.constant[axis] + m.slope[axis] * (axis % 2 == 0 ? a : b);
-      const double around = std::abs(m.slope[axis]) * (axis % 2 == 0 ? aroundA : aroundB);
-      const double margin = around + doubt[axis / 2];
-      isOut |= (index + margin < 0) | (index - margin > m.end[axis]);
-      isIn &= (index - margin > 0) & (index + margin < m.end[axis]);
-      strips.middle[axis][k] =
-          static_cast<std::int32_t>(within(index, 0x1p30) + within(doubt[axis / 2], 0x1p29));
-    }
-    const bool isAway = (lens.error[k] < 1) & (dz > aroundZ + wrong);
-    strips.isKnown[k] = isKnown ? 1 : 0;
-    strips.mayHit[k] = isAway | (isKnown & isOut) ? 0 : 1;
-    strips.mayMiss[k] = isKnown & isIn ? 0 : 1;
-    for (std::size_t pair = 0; pair < 2; ++pair)
-      strips.doubt[pair][k] =
-          static_cast<std::uint32_t>(static_cast<std::int32_t>(within(doubt[pair], 0x1p29)) + 1);
-    const auto inUnits = [k](const Quotient& q, double slope, FloatTerms& terms) {
-      terms[1][k] = static_cast<float>(slope * q.q1);
-      terms[2][k] = static_cast<float>(slope * q.q2);
-      terms[3][k] = static_cast<float>(slope * q.q3);
-      terms[4][k] = static_cast<float>(slope * q.q4);
-      terms[5][k] = static_cast<float>(slope * q.q5);
-    };
-    inUnits(moreA, m.slope[0], strips.i);
-    inUnits(moreB, m.slope[1], strips.j);
+    const bool hasStrip = lens.error[k] < 1;
+    keep(m, slopesOf(a, quotient(ofX, ofZ, perZ, perNearest), wrong, perNearest),
+         slopesOf(b, quotient(ofY, ofZ, perZ, perNearest), wrong, perNearest),
+         hasStrip & (nearest > 0), hasStrip & (dz > aroundZ + wrong), k, strips);
   }
 }
 

@@ -155,7 +155,7 @@ inline __attribute__((always_inline)) bool findAddresses(const Find& find, const
 
 /// Copies a texel for each ray; find(first, count, strip) finds the cells of the rays from `first`
 /// on, at most a strip, `ahead` rays before they are copied, so that texels have come from memory.
-/// What no ray of a strip sees is left as it is. `seen` may be null if all rays hit.
+/// It writes nothing for a strip of which no ray hits. `seen` may be null if all rays hit.
 template <class Find>
 inline __attribute__((always_inline)) void copyStrips(const Find& find, const BlockLayout& layout,
                                                       const Texel<std::uint8_t>* texels, int count,
@@ -185,12 +185,12 @@ inline __attribute__((always_inline)) void copyTexels(const Find& find, const Bl
                                                       const double* x, const double* y, int count,
                                                       std::uint8_t* rgb, std::uint8_t* seen) {
   const auto findPadded =
-      [&find, x, y ](int first, int strips, CellStrip& strip) __attribute__((always_inline)) {
+      [&find, x, y ](int first, int many, CellStrip& strip) __attribute__((always_inline)) {
     Strip<double> paddedX;
     Strip<double> paddedY;
     const double* stripX = x + first;
     const double* stripY = rays == Rays::any ? y + first : y;
-    padStrip<rays>(stripX, stripY, strips, paddedX, paddedY);
+    padStrip<rays>(stripX, stripY, many, paddedX, paddedY);
     find(stripX, stripY, strip);
     return rays == Rays::hits ? StripHits::all : StripHits::some;
   };

@@ -19,8 +19,7 @@ struct LensStrips {
 
   std::array<Each, terms> x{};
   std::array<Each, terms> y{};
-  /// How far points are from the polynomials at most, along x or y; infinite without them.
-  Each error{};
+  Each error{};  ///< no point is farther from them along x or y; infinite without polynomials
 
   /// Returns how many of these a row has.
   static std::size_t inRow(int width) {
