@@ -48,5 +48,4 @@ target_link_libraries(hogelscope_views PUBLIC hogelscope_core VTK::CommonCore VT
 add_library(hogelscope_scene STATIC vtk/scene_data.cxx vtk/scene_export.cxx vtk/state_atlas.cxx)
 target_link_libraries(hogelscope_scene PUBLIC hogelscope_views hogelscope_io VTK::RenderingCore
   PRIVATE VTK::FiltersCore VTK::FiltersSources VTK::IOExport VTK::IOXML VTK::RenderingOpenGL2)
-target_compile_options(hogelscope_scene PRIVATE ${HOGELSCOPE_WARNINGS})
 vtk_module_autoinit(TARGETS hogelscope_scene MODULES VTK::RenderingOpenGL2)

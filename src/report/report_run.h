@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The testing procedure (the paper's section V): renders and compares every camera state from the
 // session's light field and from each test light field, states in parallel. Resumes an earlier run
-// of the same request.
+// of the same request. report.csv keeps its columns (later figures are in metrics.csv) and is
+// written last. Headlines are over the pixels seen in both images; tolerances are left aside. Plots
+// are Figures, made once for the page and for `plots`. A function of Python finds its columns by
+// the first views that see anything, before the report begins; the folder keeps them until it is
+// finished.
 #pragma once
 
 #include <string>

@@ -56,9 +56,15 @@ LensFans::Place LensFans::find(const Vec2& distorted, const Progress& progress) 
   int count = fanCount;
   Fan* fan = &m_fans[std::size_t(Share(turns, count).index)];
   for (;;) {
-    std::call_once(fan->isFollowed, [&] {
-      follow(*fan, Share(turns, count).disc(), line, count < mostParts, progress);
-    });
+    if (!fan->isFollowed) {
+      // Not std::call_once: a cancelled run throws here, which the thread sanitizer's does not
+      // bear.
+      const std::lock_guard lock(fan->following);
+      if (!fan->isFollowed) {
+        follow(*fan, Share(turns, count).disc(), line, count < mostParts, progress);
+        fan->isFollowed = true;
+      }
+    }
     if (std::hypot(distorted.x, distorted.y) >= fan->dark) return {Place::Kind::none, line};
     const BranchLine* before = lineBefore(distorted, fan->lines);
     if (before != nullptr) {

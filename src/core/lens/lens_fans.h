@@ -4,6 +4,7 @@
 #pragma once
 
 #include <array>
+#include <atomic>
 #include <limits>
 #include <memory>
 #include <mutex>
@@ -51,7 +52,8 @@ class LensFans {
   /// The segments of a range of directions, as far as they can be followed together. Distances
   /// from the centre, in units of the plane z = 1.
   struct Fan {
-    std::once_flag isFollowed;
+    std::atomic<bool> isFollowed = false;
+    std::mutex following;
     std::vector<BranchLine> lines;
     double reached = 0;
     double dark = std::numeric_limits<double>::infinity();  ///< from here on no point has a ray
