@@ -72,11 +72,12 @@ void addKernel(const char* name, int perRay, Kernel kernel) {
 
 void addKernels() {
   addKernel("kernel/copy, a row that hits", 1, [](Rays& r) {
-    copyHits(r.map, r.oneTexel, r.texels.data(), r.x.data(), r.y[0], batchSize, r.rgb.data());
+    const RayRow row{r.x.data(), r.y.data(), batchSize, r.rgb.data(), nullptr};
+    copyHits(r.map, r.oneTexel, r.texels.data(), std::span(&row, 1));
   });
   addKernel("kernel/copy, any rays", 1, [](Rays& r) {
-    copyRays(r.map, r.oneTexel, r.texels.data(), r.x.data(), r.y.data(), batchSize, r.rgb.data(),
-             r.seen.data());
+    const RayRow row{r.x.data(), r.y.data(), batchSize, r.rgb.data(), r.seen.data()};
+    copyRays(r.map, r.oneTexel, r.texels.data(), std::span(&row, 1));
   });
   addKernel("kernel/cells and the places in them", 1,
             [](Rays& r) { findCells(r.map, r.x.data(), r.y.data(), batchSize, r.cells); });

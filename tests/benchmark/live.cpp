@@ -237,10 +237,8 @@ void render(const RenderJob& job, LensTables& tables) {
   const FastSimulation simulation(job, tables, parallelRows);
   Image image(600, 600);
   parallelRows(600, [&](int begin, int end) {
-    for (int y = begin; y < end; ++y) {
-      const std::size_t first = 600 * std::size_t(y);
-      simulation.row(y, 0, 600, &image.rgb[3 * first], &image.seen[first]);
-    }
+    const std::size_t first = 600 * std::size_t(begin);
+    simulation.rows(begin, end, 0, 600, &image.rgb[3 * first], &image.seen[first]);
   });
   benchmark::DoNotOptimize(image.rgb.data());
 }

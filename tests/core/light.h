@@ -37,10 +37,7 @@ inline Light fastLight(const hogelscope::RenderJob& job) {
   Light light;
   light.seen.assign(std::size_t(width) * std::size_t(height), notWritten);
   std::vector<float> rgb(3 * light.seen.size(), notWritten);
-  for (int y = 0; y < height; ++y) {
-    const auto first = std::size_t(y) * std::size_t(width);
-    simulation.row(y, 0, width, &rgb[3 * first], &light.seen[first]);
-  }
+  simulation.rows(0, height, 0, width, rgb.data(), light.seen.data());
   light.rgb.assign(rgb.begin(), rgb.end());
   return light;
 }

@@ -59,8 +59,7 @@ std::vector<float> codeValues(const RenderJob& job) {
   const auto [width, height] = job.state.camera.res;
   std::vector<float> values(std::size_t(3 * width * height));
   std::vector<std::uint8_t> seen(std::size_t(width * height));
-  for (int y = 0; y < height; ++y)
-    simulation.row(y, 0, width, &values[std::size_t(3 * width * y)], &seen[std::size_t(width * y)]);
+  simulation.rows(0, height, 0, width, values.data(), seen.data());
   return values;
 }
 

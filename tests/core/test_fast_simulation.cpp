@@ -123,7 +123,7 @@ void TestFastSimulation::codeValuesAreTheReferences() {
     std::vector<float> rgb(3 * std::size_t(width));
     std::vector<std::uint8_t> seen(rgb.size() / 3);
     for (int y = 0; y < height; ++y) {
-      fast.row(y, 0, width, rgb.data(), seen.data());
+      fast.rows(y, y + 1, 0, width, rgb.data(), seen.data());
       for (int x = 0; x < width; ++x) {
         const Rgb light = reference.pixel(x, y).value_or(PixelLight{});
         const double difference = std::abs(double(rgb[3 * std::size_t(x)]) - light.r);

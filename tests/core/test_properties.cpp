@@ -198,7 +198,7 @@ void TestProperties::partsOfRows() {
     const int end = random.integer(begin + 1, width);
     std::vector<std::uint8_t> rgb(3 * std::size_t(width) + 3, guard);
     std::vector<std::uint8_t> seen(std::size_t(width) + 1, guard);
-    simulation.row(y, begin, end, &rgb[3 * std::size_t(begin)], &seen[std::size_t(begin)]);
+    simulation.rows(y, y + 1, begin, end, &rgb[3 * std::size_t(begin)], &seen[std::size_t(begin)]);
     for (std::size_t k = 0; k < rgb.size(); ++k) {
       const bool isInside = k / 3 >= std::size_t(begin) && k / 3 < std::size_t(end);
       const std::size_t at = 3 * std::size_t(y) * std::size_t(width) + k;

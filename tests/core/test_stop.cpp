@@ -76,7 +76,7 @@ void renderRow(const RenderJob& job, const Progress& progress) {
   const auto width = std::size_t(job.state.camera.res[0]);
   std::vector<std::uint8_t> rgb(3 * width);
   std::vector<std::uint8_t> seen(width);
-  simulation.row(0, 0, int(width), rgb.data(), seen.data());
+  simulation.rows(0, 1, 0, int(width), rgb.data(), seen.data());
 }
 
 }  // namespace

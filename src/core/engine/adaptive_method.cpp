@@ -58,7 +58,7 @@ class Prober {
  private:
   void row(int y, int x0, int x1) {
     const std::size_t at = std::size_t(y) * std::size_t(m_image.width) + std::size_t(x0);
-    m_simulation.row(y, x0, x1, &m_image.rgb[3 * at], &m_image.seen[at]);
+    m_simulation.rows(y, y + 1, x0, x1, &m_image.rgb[3 * at], &m_image.seen[at]);
   }
 
   int m_scale;

@@ -27,51 +27,92 @@ FastSimulation::FastSimulation(const RenderJob& job, LensTables& tables,
   if (m_rays.plan().usesStrips) m_fixedMap = FixedMap::of(m_rays.map(0));
 }
 
+void FastSimulation::rows(int y0, int y1, int x0, int x1, std::uint8_t* rgb,
+                          std::uint8_t* seen) const {
+  const Plan& plan = m_rays.plan();
+  const bool isPlain = plan.copiesTexels && plan.knowsOutline;
+  const bool hasStrips = m_fixedMap && x0 == 0;
+  const bool isTogether = !m_rays.seesNothing() && (isPlain || hasStrips);
+  for (int y = y0, end = y0; y < y1; y = end) {
+    throwIfCancelled(m_rays.progress());
+    end = isTogether ? std::min(y + mostTogether, y1) : y + 1;
+    const std::ptrdiff_t first = std::ptrdiff_t(y - y0) * (x1 - x0);
+    if (!isTogether)
+      row(y, x0, x1, rgb + 3 * first, seen + first);
+    else if (isPlain)
+      copyPlainRows(y, end, x0, x1, rgb + 3 * first, seen + first);
+    else
+      copyLensRows(y, end, x1, rgb + 3 * first, seen + first);
+  }
+}
+
+void FastSimulation::rows(int y0, int y1, int x0, int x1, float* rgb, std::uint8_t* seen) const {
+  const std::size_t width = std::size_t(x1 - x0);
+  const std::size_t count = std::size_t(y1 - y0) * width;
+  std::fill(rgb, rgb + 3 * count, 0.0F);
+  std::memset(seen, 0, count);
+  if (m_rays.seesNothing()) return;
+  for (int y = y0; y < y1; ++y, rgb += 3 * width, seen += width) sumRow(y, x0, x1, rgb, seen);
+}
+
 void FastSimulation::row(int y, int x0, int x1, std::uint8_t* rgb, std::uint8_t* seen) const {
-  throwIfCancelled(m_rays.progress());
   const auto count = std::size_t(x1 - x0);
   std::memset(rgb, 0, 3 * count);
   std::memset(seen, 0, count);
   if (m_rays.seesNothing()) return;
-  if (m_rays.plan().copiesTexels && m_rays.plan().knowsOutline)
-    return copyPlainRow(y, x0, x1, rgb, seen);
-  if (m_rays.plan().copiesTexels && m_rays.lens() != nullptr && m_rays.plan().hasLinearHogels &&
-      !m_rays.plan().movesRays)
-    return copyRow(y, x0, x1, rgb, seen);
-  if (m_rays.plan().copiesTexels && m_rays.plan().isSimpleTwin &&
-      (m_rays.lens() != nullptr || !m_rays.plan().hasLens))
-    return copyTwinRow(y, x0, x1, rgb, seen);
-  if (m_rays.plan().copiesPixels && (m_rays.lens() != nullptr || !m_rays.plan().hasLens))
-    return copySheetRow(y, x0, x1, rgb, seen);
+  const Plan& plan = m_rays.plan();
+  const bool hasRays = m_rays.lens() != nullptr || !plan.hasLens;
+  if (plan.copiesTexels && m_rays.lens() != nullptr && plan.hasLinearHogels && !plan.movesRays)
+    return copyTableRow(y, x0, x1, rgb, seen);
+  if (plan.copiesTexels && plan.isSimpleTwin && hasRays) return copyTwinRow(y, x0, x1, rgb, seen);
+  if (plan.copiesPixels && hasRays) return copySheetRow(y, x0, x1, rgb, seen);
   std::vector<float> sums(3 * count);
   sumRow(y, x0, x1, sums.data(), seen);
   quantise(sums.data(), int(sums.size()), rgb);
 }
 
-void FastSimulation::row(int y, int x0, int x1, float* rgb, std::uint8_t* seen) const {
-  const auto count = std::size_t(x1 - x0);
-  std::fill(rgb, rgb + 3 * count, 0.0F);
-  std::memset(seen, 0, count);
-  if (!m_rays.seesNothing()) sumRow(y, x0, x1, rgb, seen);
+void FastSimulation::copyPlainRows(int y0, int y1, int x0, int x1, std::uint8_t* rgb,
+                                   std::uint8_t* seen) const {
+  std::array<double, mostTogether> ys;
+  std::array<RayRow, mostTogether> rows;
+  const int width = x1 - x0;
+  for (int y = y0; y < y1; ++y, rgb += 3 * width, seen += width) {
+    const auto row = std::size_t(y - y0);
+    const auto [begin, end] = m_rays.seenPart(y, x0, x1);
+    const int left = begin - x0;
+    const int hits = end - begin;
+    const int right = width - left - hits;
+    std::memset(rgb, 0, std::size_t(3 * left));
+    std::memset(rgb + 3 * (left + hits), 0, std::size_t(3 * right));
+    std::memset(seen, 0, std::size_t(left));
+    std::memset(seen + left, 255, std::size_t(hits));
+    std::memset(seen + left + hits, 0, std::size_t(right));
+    ys[row] = m_rays.plainY(y);
+    rows[row] = {m_rays.plainX(begin), &ys[row], hits, rgb + 3 * left, nullptr};
+  }
+  copyHits(m_rays.map(0), m_texels->layout(), byteTexels(),
+           std::span(rows).first(std::size_t(y1 - y0)));
 }
 
-void FastSimulation::copyPlainRow(int y, int x0, int x1, std::uint8_t* rgb,
+void FastSimulation::copyLensRows(int y0, int y1, int width, std::uint8_t* rgb,
                                   std::uint8_t* seen) const {
-  const auto [first, last] = m_rays.seenPart(y, x0, x1);
-  if (first == last) return;
-  std::memset(seen + (first - x0), 255, std::size_t(last - first));
-  copyHits(m_rays.map(0), m_texels->layout(), byteTexels(), m_rays.plainX(first), m_rays.plainY(y),
-           last - first, rgb + std::ptrdiff_t(3) * (first - x0));
-}
-
-void FastSimulation::copyRow(int y, int x0, int x1, std::uint8_t* rgb, std::uint8_t* seen) const {
   const LensTable& lens = *m_rays.lens();
   const RaySample& sample = m_rays.samplesFrom(0).front();
-  if (m_fixedMap && x0 == 0)
-    return copyLensRays(*m_fixedMap, m_texels->layout(), byteTexels(), lens.strips(y),
-                        lens.x(y, sample), lens.y(y, sample), x1, rgb, seen);
-  copyRays(m_rays.map(0), m_texels->layout(), byteTexels(), lens.x(y, sample) + x0,
-           lens.y(y, sample) + x0, x1 - x0, rgb, seen);
+  const std::size_t inRow = LensStrips::inRow(m_rays.job().state.camera.res[0]);
+  std::array<LensRow, mostTogether> rows;
+  for (int y = y0; y < y1; ++y, rgb += 3 * width, seen += width)
+    rows[std::size_t(y - y0)] = {{lens.x(y, sample), lens.y(y, sample), width, rgb, seen},
+                                 inRow * std::size_t(y)};
+  copyLensRays(*m_fixedMap, m_texels->layout(), byteTexels(), lens.strips(),
+               std::span(rows).first(std::size_t(y1 - y0)));
+}
+
+void FastSimulation::copyTableRow(int y, int x0, int x1, std::uint8_t* rgb,
+                                  std::uint8_t* seen) const {
+  const LensTable& lens = *m_rays.lens();
+  const RaySample& sample = m_rays.samplesFrom(0).front();
+  const RayRow row{lens.x(y, sample) + x0, lens.y(y, sample) + x0, x1 - x0, rgb, seen};
+  copyRays(m_rays.map(0), m_texels->layout(), byteTexels(), std::span(&row, 1));
 }
 
 void FastSimulation::copyTwinRow(int y, int x0, int x1, std::uint8_t* rgb,

@@ -82,10 +82,7 @@ FloatImage imageOf(const RenderJob& job, LensTables& tables, const ParallelRows&
   const FastSimulation simulation(job, tables, parallelRows, progress);
   const auto [width, height] = job.state.camera.res;
   FloatImage image(width, height);
-  for (int y = 0; y < height; ++y) {
-    const std::size_t first = std::size_t(y) * std::size_t(width);
-    simulation.row(y, 0, width, &image.rgb[3 * first], &image.seen[first]);
-  }
+  simulation.rows(0, height, 0, width, image.rgb.data(), image.seen.data());
   return image;
 }
 

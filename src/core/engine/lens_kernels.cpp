@@ -61,23 +61,19 @@ inline __attribute__((always_inline)) double within(double value, double limit) 
   return raised < limit ? raised : limit;
 }
 
-/// The polynomial q(t) = n(t)/z(t), where n has no constant.
+/// The polynomial q(t) = n(t)/z(t), where n has no constant, for |t| ≤ 1.
 struct Quotient {
   double q1, q2, q3, q4, q5;
-  double tail;  ///< how far the polynomial is from the quotient at most
-  [[nodiscard]] double around() const {
-    return std::abs(q1) + std::abs(q2) + std::abs(q3) + std::abs(q4) + std::abs(q5);
-  }
-  /// Returns the rounding error in units of float: the term of t^m has 2 m + 1 steps.
-  [[nodiscard]] double rounding() const {
-    return 3 * std::abs(q1) + 5 * std::abs(q2) + 7 * std::abs(q3) + 9 * std::abs(q4) +
-           11 * std::abs(q5);
-  }
+  double around;    ///< the most that it is
+  double rounding;  ///< its error in units of float: the term of t^m has 2 m + 1 steps
+  double tail;      ///< how far it is from the quotient at most
 };
 
 /// Divides power series, written out so that the compiler makes vectors of several strips. What is
-/// left, n - z q, begins with t^6; `perNearest` is 1 over the least |z|.
-inline __attribute__((always_inline)) Quotient quotient(const Terms& n, const Terms& z, double perZ,
+/// left, n - z q, begins with t^6: products of z's and q's terms whose powers are 6 or more.
+/// `sizeZ` has |z|'s terms, and `perNearest` is 1 over the least |z|.
+inline __attribute__((always_inline)) Quotient quotient(const Terms& n, const Terms& z,
+                                                        const Terms& sizeZ, double perZ,
                                                         double perNearest) {
   const auto& [n0, n1, n2, n3, n4, n5] = n;
   const auto& [z0, z1, z2, z3, z4, z5] = z;
@@ -86,21 +82,27 @@ inline __attribute__((always_inline)) Quotient quotient(const Terms& n, const Te
   const double q3 = (n3 - z1 * q2 - z2 * q1) * perZ;
   const double q4 = (n4 - z1 * q3 - z2 * q2 - z3 * q1) * perZ;
   const double q5 = (n5 - z1 * q4 - z2 * q3 - z3 * q2 - z4 * q1) * perZ;
-  const double left6 = z1 * q5 + z2 * q4 + z3 * q3 + z4 * q2 + z5 * q1;
-  const double left7 = z2 * q5 + z3 * q4 + z4 * q3 + z5 * q2;
-  const double left8 = z3 * q5 + z4 * q4 + z5 * q3;
-  const double left9 = z4 * q5 + z5 * q4;
-  const double left10 = z5 * q5;
+  const double from5 = std::abs(q5);
+  const double from4 = std::abs(q4) + from5;
+  const double from3 = std::abs(q3) + from4;
+  const double from2 = std::abs(q2) + from3;
+  const double from1 = std::abs(q1) + from2;
   const double left =
-      std::abs(left6) + std::abs(left7) + std::abs(left8) + std::abs(left9) + std::abs(left10);
-  return {q1, q2, q3, q4, q5, left * std::abs(perNearest)};
+      sizeZ[1] * from5 + sizeZ[2] * from4 + sizeZ[3] * from3 + sizeZ[4] * from2 + sizeZ[5] * from1;
+  return {q1,
+          q2,
+          q3,
+          q4,
+          q5,
+          from1,
+          3 * from1 + 2 * (from2 + from3 + from4 + from5),
+          left * std::abs(perNearest)};
 }
 
 /// The slopes a, or b, of a strip's rays.
 struct SlopeRange {
   double middle;
   Quotient more;  ///< what is added to it
-  double around;  ///< the most that is added
   double wrong;   ///< the sum of all errors
 };
 
@@ -108,9 +110,8 @@ struct SlopeRange {
 inline __attribute__((always_inline)) SlopeRange slopesOf(double middle, const Quotient& more,
                                                           double wrong, double perNearest) {
   constexpr double rounding = 1.01 * 0x1p-24;  // of float, and what is beyond first order
-  const double around = more.around();
-  const double ofPoints = wrong * (1 + std::abs(middle) + around) * std::abs(perNearest);
-  return {middle, more, around, ofPoints + more.tail + rounding * (more.rounding() + 4 * around)};
+  const double ofPoints = wrong * (1 + std::abs(middle) + more.around) * std::abs(perNearest);
+  return {middle, more, ofPoints + more.tail + rounding * (more.rounding + 4 * more.around)};
 }
 
 /// Keeps what is known of strip k. `isAway`: all its rays point away from the panel.
@@ -129,7 +130,7 @@ inline __attribute__((always_inline)) void keep(const FixedMap& m, const SlopeRa
   bool isIn = true;
   for (std::size_t axis = 0; axis < 4; ++axis) {
     const double index = m.constant[axis] + m.slope[axis] * (axis % 2 == 0 ? a : b).middle;
-    const double around = std::abs(m.slope[axis]) * (axis % 2 == 0 ? a : b).around;
+    const double around = std::abs(m.slope[axis]) * (axis % 2 == 0 ? a : b).more.around;
     const double margin = around + doubt[axis / 2];
     isOut |= (index + margin < 0) | (index - margin > m.end[axis]);
     isIn &= (index - margin > 0) & (index + margin < m.end[axis]);
@@ -166,6 +167,7 @@ inline __attribute__((always_inline)) void prepare(const FixedMap& map, const Le
     Terms ofX{};
     Terms ofY{};
     Terms ofZ{};
+    Terms sizeZ{};
     double aroundZ = 0;
     for (std::size_t power = 1; power < LensStrips::terms; ++power) {
       const double x = lens.x[power][k];
@@ -173,23 +175,47 @@ inline __attribute__((always_inline)) void prepare(const FixedMap& map, const Le
       ofZ[power] = right[2] * x + down[2] * y;
       ofX[power] = right[0] * x + down[0] * y - a * ofZ[power];
       ofY[power] = right[1] * x + down[1] * y - b * ofZ[power];
-      aroundZ += std::abs(ofZ[power]);
+      sizeZ[power] = std::abs(ofZ[power]);
+      aroundZ += sizeZ[power];
     }
     // An error (e, e) of a point changes each part of its ray by at most √2 e.
     const double wrong = 1.5 * lens.error[k];
     const double nearest = -dz - aroundZ - wrong;
     const double perNearest = 1 / nearest;
     const bool hasStrip = lens.error[k] < 1;
-    keep(m, slopesOf(a, quotient(ofX, ofZ, perZ, perNearest), wrong, perNearest),
-         slopesOf(b, quotient(ofY, ofZ, perZ, perNearest), wrong, perNearest),
+    keep(m, slopesOf(a, quotient(ofX, ofZ, sizeZ, perZ, perNearest), wrong, perNearest),
+         slopesOf(b, quotient(ofY, ofZ, sizeZ, perZ, perNearest), wrong, perNearest),
          hasStrip & (nearest > 0), hasStrip & (dz > aroundZ + wrong), k, strips);
   }
 }
 
-/// Finds the cells of a strip's rays. Returns false if one is in doubt.
+/// Finds the addresses of those rays of a strip that are in doubt, from the points themselves. A
+/// ray whose units past its cells' borders are all more than twice the doubt is not.
+void findDoubtful(const FixedMap& m, const BlockLayout& l,
+                  const std::array<Strip<std::int32_t>, 4>& index,
+                  const std::array<std::uint32_t, 2>& doubt, const double* x, const double* y,
+                  int count, AddressStrip& strip) {
+  const std::uint32_t inCell = (1U << m.shift) - 1;
+  for (int ray = 0; ray < count; ++ray) {
+    const auto k = std::size_t(ray);
+    const auto isClear = [&](std::size_t axis) {
+      return (static_cast<std::uint32_t>(index[axis][k]) & inCell) > 2 * doubt[axis / 2];
+    };
+    if (isClear(0) && isClear(1) && isClear(2) && isClear(3)) continue;
+    CellBatch exact;
+    findCells(m.map, x + ray, y + ray, 1, exact);
+    const auto& [i, j, u, v] = exact.cell;
+    strip.address[k] =
+        l.i.inBlocks(i[0]) + l.j.inBlocks(j[0]) + l.u.inBlocks(u[0]) + l.v.inBlocks(v[0]);
+    strip.seen[k] = exact.seen[0] != 0 ? ~0U : 0;
+  }
+}
+
+/// Finds the addresses of a strip's rays, which begin at points (x, y).
 template <StripHits hits>
-inline __attribute__((always_inline)) bool findCertain(const FixedMap& m, const StripMaps& strips,
-                                                       std::size_t own, CellStrip& cells) {
+inline __attribute__((always_inline)) void findByPolynomials(
+    const FixedMap& m, const BlockLayout& l, const StripMaps& strips, std::size_t own,
+    const double* x, const double* y, int count, AddressStrip& strip) {
   std::array<float, LensStrips::terms> ofI;
   std::array<float, LensStrips::terms> ofJ;
   for (std::size_t power = 1; power < LensStrips::terms; ++power) {
@@ -220,40 +246,57 @@ inline __attribute__((always_inline)) bool findCertain(const FixedMap& m, const 
   std::uint32_t pastDirection = ~0U;
   for (std::size_t k = 0; k < stripSize; ++k) {
     std::array<std::uint32_t, 4> past;
+    std::array<std::uint32_t, 4> cell;
     std::uint32_t seen = ~0U;
     for (std::size_t axis = 0; axis < 4; ++axis) {
       const auto units = static_cast<std::uint32_t>(index[axis][k]);
       past[axis] = units & inCell;
       seen &= units < end[axis] ? ~0U : 0;
-      cells.cell[axis][k] = units >> m.shift;
+      cell[axis] = units >> m.shift;
     }
+    strip.address[k] = l.i.inBlocks(cell[0]) + l.j.inBlocks(cell[1]) + l.u.inBlocks(cell[2]) +
+                       l.v.inBlocks(cell[3]);
     pastHogel = std::min(pastHogel, std::min(past[0], past[1]));
     pastDirection = std::min(pastDirection, std::min(past[2], past[3]));
-    if (hits == StripHits::some) cells.seen[k] = seen;
+    if (hits == StripHits::some) strip.seen[k] = seen;
   }
-  return (pastHogel > 2 * strips.doubt[0][own]) & (pastDirection > 2 * strips.doubt[1][own]);
+  const std::array<std::uint32_t, 2> doubt{strips.doubt[0][own], strips.doubt[1][own]};
+  if ((pastHogel <= 2 * doubt[0]) | (pastDirection <= 2 * doubt[1]))
+    findDoubtful(m, l, index, doubt, x, y, count, strip);
 }
 
 }  // namespace
 
 MULTIVERSIONED
 void copyLensRays(const FixedMap& map, const BlockLayout& layout, const Texel<std::uint8_t>* texels,
-                  const LensStrips* strips, const double* x, const double* y, int count,
-                  std::uint8_t* rgb, std::uint8_t* seen) {
+                  const LensStrips* strips, std::span<const LensRow> rows) {
   StripMaps maps;
-  const auto find = [&](int first, int many, CellStrip& cells) __attribute__((always_inline)) {
-    const int strip = first / stripSize;
-    const auto own = std::size_t(strip % LensStrips::count);
-    if (own == 0) prepare(map, strips[strip / LensStrips::count], maps);
+  const LensStrips* prepared = nullptr;
+  const BlockLayout l = layout;
+  const auto find = [&](const LensRow& row, int first, int many, AddressStrip& addresses)
+      __attribute__((always_inline)) {
+    const std::size_t strip = row.strip + std::size_t(first / stripSize);
+    const std::size_t own = strip % LensStrips::count;
+    const LensStrips* const group = strips + strip / LensStrips::count;
+    if (group != prepared) prepare(map, *group, maps);
+    prepared = group;
     if (maps.mayHit[own] == 0) return StripHits::none;
-    if (maps.mayMiss[own] == 0 && findCertain<StripHits::all>(map, maps, own, cells))
+    const double* const x = row.x + first;
+    const double* const y = row.y + first;
+    if (maps.mayMiss[own] == 0) {
+      findByPolynomials<StripHits::all>(map, l, maps, own, x, y, many, addresses);
       return StripHits::all;
-    if (maps.mayMiss[own] == 0 || maps.isKnown[own] == 0 ||
-        !findCertain<StripHits::some>(map, maps, own, cells))
-      findStripCells(map.map, x + first, y + first, many, cells);
+    }
+    if (maps.isKnown[own] != 0) {
+      findByPolynomials<StripHits::some>(map, l, maps, own, x, y, many, addresses);
+    } else {
+      CellStrip cells;
+      findStripCells(map.map, x, y, many, cells);
+      findAddresses(l, cells, addresses);
+    }
     return StripHits::some;
   };
-  copyStrips(find, layout, texels, count, rgb, seen);
+  copyStrips(find, layout, texels, rows);
 }
 
 }  // namespace hogelscope

@@ -7,8 +7,10 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <span>
 
 #include "core/engine/hit_map.h"
+#include "core/engine/ray_strips.h"
 #include "core/lens/lens_table.h"
 #include "core/light_field/block_layout.h"
 #include "core/light_field/light_field.h"
@@ -30,10 +32,13 @@ struct FixedMap {
   double mostDoubt = 0;  ///< units; beyond, too many strips would have a ray in doubt
 };
 
-/// Copies the texels of the rays [0, count) of a row's strips, as copyRays() does of the table's
-/// points `x` and `y`.
+/// A row of a lens's rays, from the row's first pixel on.
+struct LensRow : RayRow {
+  std::size_t strip;  ///< the number of its first one
+};
+
+/// Copies the texels of rows as copyRays() does.
 void copyLensRays(const FixedMap& map, const BlockLayout& layout, const Texel<std::uint8_t>* texels,
-                  const LensStrips* strips, const double* x, const double* y, int count,
-                  std::uint8_t* rgb, std::uint8_t* seen);
+                  const LensStrips* strips, std::span<const LensRow> rows);
 
 }  // namespace hogelscope

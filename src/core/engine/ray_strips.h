@@ -7,6 +7,7 @@
 #include <array>
 #include <cstdint>
 #include <cstring>
+#include <span>
 
 #include "core/engine/hit_map.h"
 #include "core/light_field/block_layout.h"
@@ -126,75 +127,108 @@ inline __attribute__((always_inline)) void padStrip(const double*& x, const doub
 /// The rays of a strip that see the display.
 enum class StripHits { none, some, all };
 
-/// Finds and prefetches the addresses of at most a strip of rays, whose cells `find` finds. Returns
-/// false if there are none.
-template <class Find>
-inline __attribute__((always_inline)) bool findAddresses(const Find& find, const BlockLayout& l,
-                                                         const Texel<std::uint8_t>* texels,
-                                                         int first, int count,
-                                                         std::uint32_t* address,
-                                                         std::uint8_t* seen) {
-  CellStrip strip;
-  const StripHits hits = find(first, count, strip);
-  if (hits == StripHits::none) return false;
+/// The addresses of a strip's texels; `seen` is as in a CellStrip.
+struct AddressStrip {
+  Strip<std::uint32_t> address;
+  Strip<std::uint32_t> seen;
+};
+
+inline __attribute__((always_inline)) void findAddresses(const BlockLayout& l,
+                                                         const CellStrip& cells,
+                                                         AddressStrip& strip) {
   for (std::size_t k = 0; k < stripSize; ++k)
-    address[k] = l.i.inBlocks(strip.cell[0][k]) + l.j.inBlocks(strip.cell[1][k]) +
-                 l.u.inBlocks(strip.cell[2][k]) + l.v.inBlocks(strip.cell[3][k]);
+    strip.address[k] = l.i.inBlocks(cells.cell[0][k]) + l.j.inBlocks(cells.cell[1][k]) +
+                       l.u.inBlocks(cells.cell[2][k]) + l.v.inBlocks(cells.cell[3][k]);
+  strip.seen = cells.seen;
+}
+
+/// Rays of one row of an image, and where their texels go.
+struct RayRow {
+  const double* x;  ///< of their points on the plane z = 1
+  const double* y;  ///< one value if the row's rays have one y
+  int count;
+  std::uint8_t* rgb;   ///< three bytes a ray
+  std::uint8_t* seen;  ///< null if all rays are known to hit
+};
+
+/// Prefetches the texels of the first `count` rays, and writes which of them are seen.
+inline __attribute__((always_inline)) void fetchStrip(const BlockLayout& l,
+                                                      const Texel<std::uint8_t>* texels,
+                                                      StripHits hits, int count,
+                                                      AddressStrip& strip, std::uint8_t* seen) {
   if (hits == StripHits::some)
     for (std::size_t k = 0; k < stripSize; ++k)
-      address[k] = strip.seen[k] != 0 ? address[k] : l.texels;
+      strip.address[k] = strip.seen[k] != 0 ? strip.address[k] : l.texels;
+      // Into the second cache: the first one has fewer lines under way at a time
+      // (docs/measurements.md).
 #pragma GCC unroll 8
-  for (int k = 0; k < count; ++k) __builtin_prefetch(texels + address[k]);
-  if (seen == nullptr) return true;
+  for (int k = 0; k < count; ++k) __builtin_prefetch(texels + strip.address[k], 0, 2);
+  if (seen == nullptr) return;
   if (hits == StripHits::all)
     std::memset(seen, 255, std::size_t(count));
   else
     for (int k = 0; k < count; ++k) seen[k] = static_cast<std::uint8_t>(strip.seen[std::size_t(k)]);
-  return true;
 }
 
-/// Copies a texel for each ray; find(first, count, strip) finds the cells of the rays from `first`
-/// on, at most a strip, `ahead` rays before they are copied, so that texels have come from memory.
-/// It writes nothing for a strip of which no ray hits. `seen` may be null if all rays hit.
-template <class Find>
+/// Copies a texel for each ray; find(row, first, count, strip) finds the addresses of a row's rays
+/// from `first` on, at most a strip, three strips before they are copied, so that texels have come
+/// from memory; rows follow each other without a gap. Strips of which no ray hits are black.
+template <class Find, class Row>
 inline __attribute__((always_inline)) void copyStrips(const Find& find, const BlockLayout& layout,
-                                                      const Texel<std::uint8_t>* texels, int count,
-                                                      std::uint8_t* rgb, std::uint8_t* seen) {
-  constexpr int ahead = 128;
-  constexpr int kept = 2 * ahead / stripSize;
+                                                      const Texel<std::uint8_t>* texels,
+                                                      std::span<const Row> rows) {
+  constexpr std::size_t ahead = 3;
+  constexpr std::size_t kept = 4;
+  struct Waiting {
+    AddressStrip strip;
+    std::uint8_t* rgb;
+    int count;
+  };
   const BlockLayout l = layout;  // a copy, so that the compiler knows that stores do not change it
-  std::array<std::uint32_t, 2 * ahead> address;
-  std::array<bool, kept> isSeen{};
-  for (int first = 0; first < count + ahead; first += stripSize) {
-    const auto slot = [](int ray) { return std::size_t(ray / stripSize % kept); };
-    if (first < count)
-      isSeen[slot(first)] = findAddresses(
-          find, l, texels, first, std::min(stripSize, count - first),
-          &address[slot(first) * stripSize], seen == nullptr ? nullptr : seen + first);
-    const int done = first - ahead;
-    if (done >= 0 && isSeen[slot(done)])
-      packRgb(texels, &address[slot(done) * stripSize], std::min(stripSize, count - done),
-              rgb + std::ptrdiff_t(3) * done);
-  }
+  std::array<Waiting, kept> waiting;
+  std::size_t found = 0;
+  const auto copy = [&](std::size_t strip) __attribute__((always_inline)) {
+    const Waiting& w = waiting[strip % kept];
+    packRgb(texels, w.strip.address.data(), w.count, w.rgb);
+  };
+  for (const Row& row : rows)
+    for (int first = 0; first < row.count; first += stripSize) {
+      Waiting& w = waiting[found % kept];
+      w.rgb = row.rgb + std::ptrdiff_t(3) * first;
+      w.count = std::min(stripSize, row.count - first);
+      std::uint8_t* const seen = row.seen == nullptr ? nullptr : row.seen + first;
+      const StripHits hits = find(row, first, w.count, w.strip);
+      if (hits == StripHits::none) {
+        std::memset(w.rgb, 0, std::size_t(3 * w.count));
+        if (seen != nullptr) std::memset(seen, 0, std::size_t(w.count));
+        continue;
+      }
+      fetchStrip(l, texels, hits, w.count, w.strip, seen);
+      if (found >= ahead) copy(found - ahead);
+      ++found;
+    }
+  for (std::size_t strip = found > ahead ? found - ahead : 0; strip < found; ++strip) copy(strip);
 }
 
 /// The same for rays through points (x, y), whose cells find(x, y, strip) finds.
 template <Rays rays, class Find>
 inline __attribute__((always_inline)) void copyTexels(const Find& find, const BlockLayout& layout,
                                                       const Texel<std::uint8_t>* texels,
-                                                      const double* x, const double* y, int count,
-                                                      std::uint8_t* rgb, std::uint8_t* seen) {
-  const auto findPadded =
-      [&find, x, y ](int first, int many, CellStrip& strip) __attribute__((always_inline)) {
+                                                      std::span<const RayRow> rows) {
+  const BlockLayout l = layout;
+  const auto findPadded = [&find, l ](const RayRow& row, int first, int many, AddressStrip& strip)
+      __attribute__((always_inline)) {
     Strip<double> paddedX;
     Strip<double> paddedY;
-    const double* stripX = x + first;
-    const double* stripY = rays == Rays::any ? y + first : y;
+    const double* stripX = row.x + first;
+    const double* stripY = rays == Rays::any ? row.y + first : row.y;
     padStrip<rays>(stripX, stripY, many, paddedX, paddedY);
-    find(stripX, stripY, strip);
+    CellStrip cells;
+    find(stripX, stripY, cells);
+    findAddresses(l, cells, strip);
     return rays == Rays::hits ? StripHits::all : StripHits::some;
   };
-  copyStrips(findPadded, layout, texels, count, rgb, seen);
+  copyStrips(findPadded, layout, texels, rows);
 }
 
 /// The indices of a batch; 0 where nothing is seen.

@@ -23,11 +23,9 @@ AnyImage Renderer::renderChosen(const RenderJob& job, const Progress& progress) 
   AnyImage image(width, height);
   std::atomic<int> done = 0;
   m_rows(height, [&, width = width, height = height](int begin, int end) {
-    for (int y = begin; y < end; ++y) {
-      const std::size_t first = std::size_t(y) * std::size_t(width);
-      simulation.row(y, 0, width, &image.rgb[3 * first], &image.seen[first]);
-      reportProgress(heard, double(++done) / height);
-    }
+    const std::size_t first = std::size_t(begin) * std::size_t(width);
+    simulation.rows(begin, end, 0, width, &image.rgb[3 * first], &image.seen[first]);
+    reportProgress(heard, double(done += end - begin) / height);
   });
   const int scale = chosen.method.scale;
   return scale == 1 ? image : enlarged(image, scale, job.state.camera.res);

@@ -42,14 +42,13 @@ inline __attribute__((always_inline)) void findStrip(const RealMap<Real>& m, con
 template <Rays rays, class Real>
 inline __attribute__((always_inline)) void copyDesign(const HitMap& map, const BlockLayout& layout,
                                                       const Texel<std::uint8_t>* texels,
-                                                      const double* x, const double* y, int count,
-                                                      std::uint8_t* rgb, std::uint8_t* seen) {
+                                                      std::span<const RayRow> rows) {
   const RealMap<Real> m(map);
   const auto find = [m](const double* stripX, const double* stripY, CellStrip& strip)
       __attribute__((always_inline)) {
     findStrip<rays>(m, stripX, stripY, strip);
   };
-  copyTexels<rays>(find, layout, texels, x, y, count, rgb, seen);
+  copyTexels<rays>(find, layout, texels, rows);
 }
 
 template <class Real>
@@ -91,20 +90,20 @@ void curvedCells(const HitMap& map, const double* x, const double* y, int count,
 
 MULTIVERSIONED
 void copyHits(const HitMap& map, const BlockLayout& layout, const Texel<std::uint8_t>* texels,
-              const double* x, double y, int count, std::uint8_t* rgb) {
+              std::span<const RayRow> rows) {
   if (map.isSingle)
-    copyDesign<Rays::hits, float>(map, layout, texels, x, &y, count, rgb, nullptr);
+    copyDesign<Rays::hits, float>(map, layout, texels, rows);
   else
-    copyDesign<Rays::hits, double>(map, layout, texels, x, &y, count, rgb, nullptr);
+    copyDesign<Rays::hits, double>(map, layout, texels, rows);
 }
 
 MULTIVERSIONED
 void copyRays(const HitMap& map, const BlockLayout& layout, const Texel<std::uint8_t>* texels,
-              const double* x, const double* y, int count, std::uint8_t* rgb, std::uint8_t* seen) {
+              std::span<const RayRow> rows) {
   if (map.isSingle)
-    copyDesign<Rays::any, float>(map, layout, texels, x, y, count, rgb, seen);
+    copyDesign<Rays::any, float>(map, layout, texels, rows);
   else
-    copyDesign<Rays::any, double>(map, layout, texels, x, y, count, rgb, seen);
+    copyDesign<Rays::any, double>(map, layout, texels, rows);
 }
 
 MULTIVERSIONED

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 
 #include "core/engine/hit_map.h"
 #include "core/engine/ray_strips.h"
@@ -20,12 +21,12 @@ bool fillUnseen(int count, CellBatch& batch);
 /// a light field that is all in memory: three bytes each. A coordinate that rounding has put on a
 /// border belongs to the last cell.
 void copyHits(const HitMap& map, const BlockLayout& layout, const Texel<std::uint8_t>* texels,
-              const double* x, double y, int count, std::uint8_t* rgb);
+              std::span<const RayRow> rows);
 
 /// Copies the texels of any rays; those that see nothing get the black texel behind all others.
 /// Writes 255 or 0 for seen or not.
 void copyRays(const HitMap& map, const BlockLayout& layout, const Texel<std::uint8_t>* texels,
-              const double* x, const double* y, int count, std::uint8_t* rgb, std::uint8_t* seen);
+              std::span<const RayRow> rows);
 
 /// Finds the cells of at most a strip of rays that meet a design, by a map of linear hogel lenses.
 void findStripCells(const HitMap& map, const double* x, const double* y, int count,

@@ -68,11 +68,11 @@ void StreamingRenderer::finish(int j) {
   for (const auto& [y, x0, x1] : m_due[std::size_t(j)]) {
     const std::size_t at = std::size_t(y) * std::size_t(m_image.width) + std::size_t(x0);
     if (m_job.bits == 8 && !m_job.keepsUnrounded) {
-      m_simulation->row(y, x0, x1, &m_image.rgb[3 * at], &m_image.seen[at]);
+      m_simulation->rows(y, y + 1, x0, x1, &m_image.rgb[3 * at], &m_image.seen[at]);
       continue;
     }
     std::array<float, std::size_t{3} * batchSize> values{};
-    m_simulation->row(y, x0, x1, values.data(), &m_image.seen[at]);
+    m_simulation->rows(y, y + 1, x0, x1, values.data(), &m_image.seen[at]);
     setValues(m_image, 3 * at, std::span(values).first(3 * std::size_t(x1 - x0)));
   }
 }

@@ -387,8 +387,9 @@ void copyTwinRays(const HitMap& map, const BlockLayout& layout, const Texel<std:
                   const double* x, const double* y, int count, std::uint8_t* rgb,
                   std::uint8_t* seen) {
   const Twin& twin = *map.panel.twin;
+  const RayRow row{x, y, count, rgb, seen};
   const auto copy = [&](const auto& find) __attribute__((always_inline)) {
-    copyTexels<Rays::any>(find, layout, texels, x, y, count, rgb, seen);
+    copyTexels<Rays::any>(find, layout, texels, std::span(&row, 1));
   };
   if (twin.isAffine())
     withAffine(
@@ -411,16 +412,19 @@ void copyTwinRow(const HitMap& map, const BlockLayout& layout, const Texel<std::
   const AffineMap m(map);
   withAffine(
       *map.panel.twin, [&](auto hasMoves, auto hasDirections) __attribute__((always_inline)) {
+        const RayRow hits{x + left, &y, begin - left, rgb + std::ptrdiff_t(3) * left, nullptr};
         copyTexels<Rays::hits>(FindAffine<Rays::hits, hasMoves.value, hasDirections.value>{m},
-                               layout, texels, x + left, &y, begin - left,
-                               rgb + std::ptrdiff_t(3) * left, nullptr);
+                               layout, texels, std::span(&hits, 1));
         std::memset(seen + left, 255, std::size_t(begin - left));
         const auto copyEnd = [&](int first, int last) __attribute__((always_inline)) {
           constexpr int few = 12;
-          if (last - first > few)
+          if (last - first > few) {
+            const RayRow rays{x + first, &y, last - first, rgb + std::ptrdiff_t(3) * first,
+                              seen + first};
             return copyTexels<Rays::row>(
                 FindAffine<Rays::row, hasMoves.value, hasDirections.value>{m}, layout, texels,
-                x + first, &y, last - first, rgb + std::ptrdiff_t(3) * first, seen + first);
+                std::span(&rays, 1));
+          }
           copyOneByOne<hasMoves.value, hasDirections.value>(m, layout, texels, x, y, first, last,
                                                             rgb, seen);
         };

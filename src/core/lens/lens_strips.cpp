@@ -77,13 +77,14 @@ StripFit::StripFit(int width)
       m_whole(LensStrips::pixels),
       m_last(width - (m_strips - 1) * LensStrips::pixels) {}
 
-void StripFit::row(const double* x, const double* y, LensStrips* strips) const {
+void StripFit::row(const double* x, const double* y, int row, LensStrips* strips) const {
   for (int k = 0; k < m_strips; ++k) {
     const Nodes& nodes = k + 1 < m_strips ? m_whole : m_last;
     const double* stripX = x + k * LensStrips::pixels;
     const double* stripY = y + k * LensStrips::pixels;
-    LensStrips& group = strips[k / LensStrips::count];
-    const auto own = std::size_t(k % LensStrips::count);
+    const std::size_t strip = std::size_t(row) * std::size_t(m_strips) + std::size_t(k);
+    LensStrips& group = strips[strip / LensStrips::count];
+    const std::size_t own = strip % LensStrips::count;
     group.error[own] = std::numeric_limits<double>::infinity();
     if (nodes.pixels < int(terms)) continue;
     const Polynomial ofX = nodes.through(stripX);

@@ -8,9 +8,9 @@
 
 namespace hogelscope {
 
-/// The ideal points of sixteen strips of 64 pixels, side by side in a row, as polynomials of a
-/// pixel's place in its strip, t = (k - 31.5)/32, the constant first. All are 0 for a strip of
-/// fewer pixels than terms, or with a pixel that has no ray.
+/// The ideal points of sixteen strips of 64 pixels of a row, numbered along the rows of an image,
+/// as polynomials of a pixel's place in its strip, t = (k - 31.5)/32, the constant first. All are 0
+/// for a strip of fewer pixels than terms, or with a pixel that has no ray.
 struct LensStrips {
   static constexpr int pixels = 64;
   static constexpr int count = 16;
@@ -21,9 +21,11 @@ struct LensStrips {
   std::array<Each, terms> y{};
   Each error{};  ///< no point is farther from them along x or y; infinite without polynomials
 
-  /// Returns how many of these a row has.
-  static std::size_t inRow(int width) {
-    return (std::size_t(width) + pixels * count - 1) / (pixels * count);
+  /// Returns how many strips a row has; its last one may be shorter.
+  static std::size_t inRow(int width) { return (std::size_t(width) + pixels - 1) / pixels; }
+  /// Returns how many of these hold the strips of an image.
+  static std::size_t inImage(const std::array<int, 2>& res) {
+    return (inRow(res[0]) * std::size_t(res[1]) + count - 1) / count;
   }
 };
 
@@ -32,8 +34,9 @@ class StripFit {
  public:
   explicit StripFit(int width);
 
-  /// Fills LensStrips::inRow(width) strips from the ideal points of a row; NaN: no ray.
-  void row(const double* x, const double* y, LensStrips* strips) const;
+  /// Fills the strips of an image's row `row` from its ideal points; NaN: no ray. May be called for
+  /// several rows at a time.
+  void row(const double* x, const double* y, int row, LensStrips* strips) const;
 
  private:
   using Polynomial = std::array<double, LensStrips::terms>;

@@ -11,8 +11,8 @@ std::size_t LensTable::bytes(const std::array<int, 2>& res, int samplesPerPixel)
 }
 
 std::size_t LensTable::bytes(const LensKey& key) {
-  const std::size_t strips = LensStrips::inRow(key.res[0]) * std::size_t(key.res[1]);
-  return bytes(key.res, key.samplesPerPixel) + (key.hasStrips ? strips * sizeof(LensStrips) : 0);
+  return bytes(key.res, key.samplesPerPixel) +
+         (key.hasStrips ? LensStrips::inImage(key.res) * sizeof(LensStrips) : 0);
 }
 
 LensTable::LensTable(const LensKey& key, const ParallelRows& parallelRows, const Progress& progress)
@@ -22,14 +22,13 @@ LensTable::LensTable(const LensKey& key, const ParallelRows& parallelRows, const
   const std::vector<RaySample> samples = samplesOf(key.samplesPerPixel);
   const int n = int(samples.size());
   const StripFit fit(key.res[0]);
-  const std::size_t strips = LensStrips::inRow(key.res[0]);
-  if (key.hasStrips) m_strips.resize(strips * std::size_t(key.res[1]));
+  if (key.hasStrips) m_strips.resize(LensStrips::inImage(key.res));
   parallelRows(key.res[1] * n, [&](int begin, int end) {
     for (int row = begin; row < end; ++row) {
       throwIfCancelled(heard);
       const std::size_t first = std::size_t(row) * std::size_t(key.res[0]);
       rays.row(row / n, samples[std::size_t(row % n)], 0, key.res[0], &m_x[first], &m_y[first]);
-      if (key.hasStrips) fit.row(&m_x[first], &m_y[first], &m_strips[std::size_t(row) * strips]);
+      if (key.hasStrips) fit.row(&m_x[first], &m_y[first], row, m_strips.data());
     }
   });
 }

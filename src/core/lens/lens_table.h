@@ -24,10 +24,8 @@ class LensTable {
   /// where there is no ray.
   [[nodiscard]] const double* x(int y, const RaySample& s) const { return &m_x[at(y, s.index)]; }
   [[nodiscard]] const double* y(int y, const RaySample& s) const { return &m_y[at(y, s.index)]; }
-  /// Returns the strips of row `y`, if the key has strips.
-  [[nodiscard]] const LensStrips* strips(int y) const {
-    return &m_strips[std::size_t(y) * LensStrips::inRow(m_key.res[0])];
-  }
+  /// Returns the strips of the image, if the key has strips.
+  [[nodiscard]] const LensStrips* strips() const { return m_strips.data(); }
   /// Returns the bytes that a table takes in memory without strips.
   static std::size_t bytes(const std::array<int, 2>& res, int samplesPerPixel);
   static std::size_t bytes(const LensKey& key);
