@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The window's look: its colours, from which palette, style sheet and painters take theirs (no other
-// file names a colour of the window), its fonts and its icons; the menus that choose the scheme of
-// colours and the size of text.
+// The window's look: its colours, from which palette, style sheet and painters take theirs (no
+// other file names a colour of the window), its fonts and its icons; the menus that choose the
+// scheme of colours and the size of text.
 #pragma once
 
 #include <QColor>
