@@ -20,6 +20,7 @@ if(HOGELSCOPE_PYTHON_VTK)
   # A private folder, found from wherever all of it is installed.
   file(RELATIVE_PATH libraries /${HOGELSCOPE_PYTHON_MODULES}/hogelscope_vtk
     /${CMAKE_INSTALL_LIBDIR}/hogelscope/lib)
+  target_compile_options(hogelscope_vtkPython PRIVATE -w)  # VTK writes its code
   set_target_properties(hogelscope_vtkPython PROPERTIES INSTALL_RPATH "\$ORIGIN/${libraries}")
   file(WRITE ${CMAKE_BINARY_DIR}/${HOGELSCOPE_PYTHON_MODULES}/hogelscope_vtk/__init__.py
     "from .hogelscope_vtk import *  # noqa: F403\n")

@@ -102,8 +102,9 @@ QByteArray difference(const RenderJob& job, Counts& counts) {
   const int width = job.state.camera.res[0];
   const int height = job.state.camera.res[1];
   const auto pixels = std::size_t(width) * std::size_t(height);
-  std::vector<std::uint8_t> rgb(3 * pixels), seen(pixels);
-  std::vector<std::uint8_t> expected(3 * pixels), expectedSeen(pixels);
+  constexpr std::uint8_t notWritten = 77;
+  std::vector<std::uint8_t> rgb(3 * pixels, notWritten), seen(pixels, notWritten);
+  std::vector<std::uint8_t> expected = rgb, expectedSeen = seen;
   std::vector<RayRow> points;
   std::vector<LensRow> rows;
   for (int y = 0; y < height; y += std::max(1, height / 300)) {
