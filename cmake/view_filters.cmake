@@ -40,7 +40,7 @@ target_include_directories(hogelscope_views PUBLIC ${CMAKE_CURRENT_SOURCE_DIR}/v
   ${CMAKE_CURRENT_BINARY_DIR}/vtk)
 target_compile_definitions(hogelscope_views PUBLIC HOGELSCOPE_VTK_STATIC_DEFINE)
 foreach(target ViewFilters hogelscope_views)  # VTK's macros for errors name the file
-  target_compile_options(${target} PRIVATE -fmacro-prefix-map=${PROJECT_SOURCE_DIR}/=)
+  target_compile_options(${target} PRIVATE -fmacro-prefix-map=${PROJECT_SOURCE_DIR}/= -Wno-pedantic)
 endforeach()
 target_link_libraries(hogelscope_views PUBLIC hogelscope_core VTK::CommonCore VTK::CommonDataModel
   VTK::CommonExecutionModel VTK::CommonMath)
@@ -49,4 +49,5 @@ target_link_libraries(hogelscope_views PUBLIC hogelscope_core VTK::CommonCore VT
 add_library(hogelscope_scene STATIC vtk/scene_data.cxx vtk/scene_export.cxx vtk/state_atlas.cxx)
 target_link_libraries(hogelscope_scene PUBLIC hogelscope_views hogelscope_io VTK::RenderingCore
   PRIVATE VTK::FiltersCore VTK::FiltersSources VTK::IOExport VTK::IOXML VTK::RenderingOpenGL2)
+target_compile_options(hogelscope_scene PRIVATE -Wno-pedantic)  # vtkTypeMacro(…);
 vtk_module_autoinit(TARGETS hogelscope_scene MODULES VTK::RenderingOpenGL2)

@@ -89,14 +89,8 @@ inline __attribute__((always_inline)) Quotient quotient(const Terms& n, const Te
   const double from1 = std::abs(q1) + from2;
   const double left =
       sizeZ[1] * from5 + sizeZ[2] * from4 + sizeZ[3] * from3 + sizeZ[4] * from2 + sizeZ[5] * from1;
-  return {q1,
-          q2,
-          q3,
-          q4,
-          q5,
-          from1,
-          3 * from1 + 2 * (from2 + from3 + from4 + from5),
-          left * std::abs(perNearest)};
+  const double rounding = 3 * from1 + 2 * (from2 + from3 + from4 + from5);
+  return {q1, q2, q3, q4, q5, from1, rounding, left * std::abs(perNearest)};
 }
 
 /// The slopes a, or b, of a strip's rays.

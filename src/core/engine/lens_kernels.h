@@ -32,12 +32,12 @@ struct FixedMap {
   double mostDoubt = 0;  ///< units; beyond, too many strips would have a ray in doubt
 };
 
-/// A row of a lens's rays, from the row's first pixel on.
+/// A row of an image through a lens, from its first pixel on.
 struct LensRow : RayRow {
-  std::size_t strip;  ///< the number of its first one
+  std::size_t strip;  ///< the number of its first strip in the image
 };
 
-/// Copies the texels of rows as copyRays() does.
+/// Copies the texels of rows as copyRays() does; `strips` are the image's.
 void copyLensRays(const FixedMap& map, const BlockLayout& layout, const Texel<std::uint8_t>* texels,
                   const LensStrips* strips, std::span<const LensRow> rows);
 

@@ -151,7 +151,8 @@ struct RayRow {
   std::uint8_t* seen;  ///< null if all rays are known to hit
 };
 
-/// Prefetches the texels of the first `count` rays, and writes which of them are seen.
+/// Prefetches the texels of the first `count` rays into the second cache, which is faster than into
+/// the first one (docs/measurements.md, Views), and writes which of them are seen.
 inline __attribute__((always_inline)) void fetchStrip(const BlockLayout& l,
                                                       const Texel<std::uint8_t>* texels,
                                                       StripHits hits, int count,
@@ -159,8 +160,6 @@ inline __attribute__((always_inline)) void fetchStrip(const BlockLayout& l,
   if (hits == StripHits::some)
     for (std::size_t k = 0; k < stripSize; ++k)
       strip.address[k] = strip.seen[k] != 0 ? strip.address[k] : l.texels;
-      // Into the second cache: the first one has fewer lines under way at a time
-      // (docs/measurements.md).
 #pragma GCC unroll 8
   for (int k = 0; k < count; ++k) __builtin_prefetch(texels + strip.address[k], 0, 2);
   if (seen == nullptr) return;
