@@ -104,7 +104,7 @@ class Report(FolderTest):
 
         def stop_late(done):
             name = self.path("out", "report.journal")
-            if os.path.exists(name):
+            if done > 0.06:  # rows are made: the journal of the run before is replaced
                 journals.append(read(name, mode="r").splitlines()[0])
                 raise RuntimeError("enough")
 
