@@ -104,6 +104,7 @@ class TestProperties : public QObject {
   void constantLightStaysConstant();
   void whatIsLeftOutIsTooLittle();
   void partsOfRows();
+  void partsOfSeveralRows();
   void noFrameNoPicture();
   void noSigmaNoState();
 };
@@ -180,6 +181,37 @@ void TestProperties::whatIsLeftOutIsTooLittle() {
     job.lightField = std::make_shared<LightField>(std::move(content));
     const double lost = std::abs(referenceLight(job).rgb[0] - fastLight(job).rgb[0]);
     QVERIFY2(lost <= 1e-3, qPrintable(QString("scene %1: %2").arg(repeat).arg(lost)));
+  }
+}
+
+/// Any part of rows has the rows' pixels, without a gap, and nothing is written behind it.
+void TestProperties::partsOfSeveralRows() {
+  constexpr std::uint8_t guard = 77;
+  for (int repeat = 0; repeat < 300; ++repeat) {
+    Random random(310000 + std::uint64_t(repeat));
+    const RenderJob job = extreme::scene(random, static_cast<Eye>(random.integer(0, 2))).job;
+    LensTables tables;
+    const FastSimulation simulation(job, tables, serialRows);
+    const auto [width, height] = job.state.camera.res;
+    const Light whole = fastLight(job);
+    const int top = random.integer(0, height - 1);
+    const int bottom = random.integer(top + 1, height);
+    const int left = random.integer(0, width - 1);
+    const int right = random.integer(left + 1, width);
+    const auto pixels = std::size_t(right - left) * std::size_t(bottom - top);
+    std::vector<std::uint8_t> rgb(3 * pixels + 1, guard);
+    std::vector<std::uint8_t> seen(pixels + 1, guard);
+    simulation.rows(top, bottom, left, right, rgb.data(), seen.data());
+    QCOMPARE(rgb.back(), guard);
+    QCOMPARE(seen.back(), guard);
+    for (int y = top, k = 0; y < bottom; ++y)
+      for (int x = left; x < right; ++x, ++k) {
+        const std::size_t at = std::size_t(y) * std::size_t(width) + std::size_t(x);
+        QCOMPARE(seen[std::size_t(k)], whole.seen[at]);
+        for (std::size_t c = 0; c < 3; ++c)
+          QVERIFY(std::abs(rgb[3 * std::size_t(k) + c] - whole.rgb[3 * at + c]) <=
+                  0.5 + floatRounding);
+      }
   }
 }
 
