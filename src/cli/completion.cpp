@@ -23,11 +23,11 @@ Proposal proposalFor(std::string_view value) {
   } else if (value == "TOPIC") {
     for (const std::string_view topic : helpTopics()) proposal.words += std::string(topic) + " ";
   } else {
+    if (mayNameFile(value)) proposal.paths = "files";
     for (const auto part : std::views::split(value, '|')) {
       const std::string_view word(part.begin(), part.end());
-      if (word == "FILE" || word == "LF" || word == "PATH")
-        proposal.paths = "files";
-      else if (word == "DIR")
+      if (mayNameFile(word)) continue;
+      if (word == "DIR")
         proposal.paths = "folders";
       else if (value.find('|') != std::string_view::npos)
         proposal.words += std::string(word) + " ";

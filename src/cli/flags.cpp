@@ -38,6 +38,7 @@ FlagGroup inputs() {
                  sweep, depth},
         .neededBy = {render, report, makeCameras, makeTwin, generate, exportAs, tradeoff, measure,
                      sweep, depth},
+        .isInput = true,
         .help = "The session document: display, light field and camera states. A folder of views, "
                 "a picture or a mesh makes one around it."},
        {.name = "set",
@@ -55,15 +56,18 @@ FlagGroup inputs() {
        {.name = "calibration",
         .value = "FILE",
         .jobs = onStates,
+        .isInput = true,
         .help = "Takes lens, intrinsics and picture size of every state from an OpenCV calibration "
                 "(.yml, .json)."},
        {.name = "calibrations",
         .value = "FILE",
         .jobs = {stability},
+        .isInput = true,
         .help = "Adds lenses: a JSON list of cameras, or one OpenCV calibration."},
        {.name = "twin",
         .value = "FILE",
         .jobs = {render, report, makeTwin, exportAs},
+        .isInput = true,
         .mayRepeat = true,
         .help = "The unit that is seen, in place of the session's own twin or of the display as "
                 "designed. With --report --against design, repeat it for more: each is a test."},
@@ -178,6 +182,7 @@ FlagGroup comparison() {
         .jobs = {report},
         .neededBy = {report},
         .unless = "against",
+        .isInput = true,
         .mayRepeat = true,
         .help = "A light field to compare with the session's: an image, a folder, a store, or a "
                 "session, whose display comes with it. Repeat it for more."},

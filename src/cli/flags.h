@@ -26,6 +26,7 @@ struct Flag {
   std::vector<Command> jobs;                   ///< those that accept it; all others reject it
   std::vector<Command> neededBy = {};          ///< those that require it
   std::string_view unless = {};                ///< an option that replaces a missing one
+  bool isInput = false;                        ///< its value is a file that the job reads
   bool mayRepeat = false;                      ///< with different values
   std::optional<NumberRange> range = {};       ///< of the value, if it must be a number
   std::vector<std::string_view> choices = {};  ///< the allowed values; any if empty

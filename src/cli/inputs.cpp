@@ -8,11 +8,14 @@
 #include <cmath>
 
 #include "campaign/state_images.h"
+#include "cli/flags.h"
+#include "cli/jobs.h"
 #include "cli/terminal.h"
 #include "core/base/error.h"
 #include "core/base/text.h"
 #include "io/documents/session_file.h"
 #include "io/documents/twin_file.h"
+#include "io/files/files_in_use.h"
 #include "io/files/folders.h"
 #include "io/opening/opening.h"
 #include "io/scene/view_source.h"
@@ -113,17 +116,31 @@ Session withTwin(const Session& session, const std::string& file, const CommandL
   });
 }
 
-void keepSession(const CommandLine& line, const Session& session) {
-  if (!line.has("save-session")) return;
-  const std::string file = line.text("save-session");
-  if (!isSessionFile(file))
-    throw InputError("--save-session " + file,
+std::vector<std::filesystem::path> namedInputs(const CommandLine& line) {
+  std::vector<std::filesystem::path> files;
+  const Job& job = jobOf(line.command);
+  if (mayNameFile(job.value)) files.emplace_back(line.subject);
+  for (const Flag& flag : allFlags()) {
+    const bool mayGrow = line.command == Command::makeCameras && flag.name == "session";
+    if (!flag.isInput || mayGrow || !line.mayHave(flag.name)) continue;
+    for (const std::string& file : line.texts(flag.name)) files.emplace_back(file);
+  }
+  return files;
+}
+
+void checkResults(const CommandLine& line, std::vector<std::filesystem::path> files) {
+  const bool keepsSession = line.mayHave("save-session") && line.has("save-session");
+  const std::string session = keepsSession ? line.text("save-session") : "";
+  if (keepsSession && !isSessionFile(session))
+    throw InputError("--save-session " + session,
                      "cannot be written: a session's name ends in .hogelscope or .json");
-  std::vector<std::filesystem::path> inputs = displayFiles(session);
-  inputs.emplace_back(contentName(session.lightField));
-  checkOutputs({file}, inputs);
-  makeFolderOf(file);
-  saveSession(file, session);
+  if (keepsSession) files.emplace_back(session);
+  checkOutputs(files);
+  if (keepsSession) makeFolderOf(session);
+}
+
+void keepSession(const CommandLine& line, const Session& session) {
+  if (line.has("save-session")) saveSession(line.text("save-session"), session);
 }
 
 Session loadSelected(const CommandLine& line) {
@@ -174,14 +191,6 @@ void warnOfTwin(const PanelParams& display, const Session& session, const Comman
   std::vector<std::string> warnings;
   (void)twinOf(session.twin, display, &warnings);
   for (const std::string& warning : warnings) printNote("warning: " + warning);
-}
-
-std::vector<std::filesystem::path> inputFiles(std::vector<std::filesystem::path> others,
-                                              const Session& session,
-                                              const LightFieldFile& lightField) {
-  std::ranges::copy(displayFiles(session), std::back_inserter(others));
-  for (const std::filesystem::path& file : lightField.files()) others.push_back(file);
-  return others;
 }
 
 OrderedSession sessionAroundSubject(const CommandLine& line) {

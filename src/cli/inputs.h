@@ -11,6 +11,7 @@
 #include "cli/command_line.h"
 #include "core/base/shard.h"
 #include "core/optics/session.h"
+#include "io/files/files_in_use.h"
 #include "io/layouts/light_field_file.h"
 #include "io/opening/session_around.h"
 
@@ -25,7 +26,17 @@ Session loadSessionOf(const CommandLine& line);
 /// InputError.
 Session withTwin(const Session& session, const std::string& file, const CommandLine& line);
 
-/// Writes the session to --save-session if that is given. Throws InputError.
+/// Returns the files that the command line itself names to be read. --make-cameras may replace its
+/// session by the one with more states, so that is not among them.
+std::vector<std::filesystem::path> namedInputs(const CommandLine& line);
+
+/// Throws InputError if a file that the job will write, or that of --save-session, is one that it
+/// reads, or if two of them are one file. Call it after the inputs are marked (FilesInUse), before
+/// any work.
+void checkResults(const CommandLine& line, std::vector<std::filesystem::path> files);
+
+/// Writes the session to --save-session if that is given: the last thing that a job writes, so that
+/// one that is refused leaves none. Throws InputError.
 void keepSession(const CommandLine& line, const Session& session);
 
 /// Returns the same session with only the states that --states selects; prints all warnings on
@@ -34,11 +45,6 @@ Session loadSelected(const CommandLine& line);
 
 /// Returns the shard of --shard; none without it. Throws InputError.
 std::optional<Shard> shardOf(const CommandLine& line);
-
-/// Returns the files of a session's light field and lens, after the other inputs of a job.
-std::vector<std::filesystem::path> inputFiles(std::vector<std::filesystem::path> others,
-                                              const Session& session,
-                                              const LightFieldFile& lightField);
 
 /// Prints missing parts of a light field on stderr, unless the job is quiet.
 void warnOf(const LightFieldFile& lightField, const std::string& name, const CommandLine& line);

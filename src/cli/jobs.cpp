@@ -2,6 +2,7 @@
 #include "cli/jobs.h"
 
 #include <algorithm>
+#include <ranges>
 
 #include "cli/jobs/all_jobs.h"
 #include "core/content/pattern_list.h"
@@ -231,6 +232,13 @@ const Job& jobOf(Command command) {
 
 bool isOneOf(const std::vector<Command>& commands, Command command) {
   return std::ranges::find(commands, command) != commands.end();
+}
+
+bool mayNameFile(std::string_view value) {
+  return std::ranges::any_of(std::views::split(value, '|'), [](const auto& part) {
+    const std::string_view word(part.begin(), part.end());
+    return word == "LF" || word == "PATH" || word.starts_with("FILE") || word == "TABLE.json";
+  });
 }
 
 std::string optionsOf(const std::vector<Command>& commands) {

@@ -29,6 +29,9 @@ const Job& jobOf(Command command);
 
 bool isOneOf(const std::vector<Command>& commands, Command command);
 
+/// Whether an option's value, as --help shows it ("uniform|random|normal|FILE"), may name a file.
+bool mayNameFile(std::string_view value);
+
 /// Returns a list such as "--render, --report", without the window.
 std::string optionsOf(const std::vector<Command>& commands);
 

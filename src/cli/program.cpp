@@ -7,12 +7,14 @@
 #include <new>
 #include <system_error>
 
+#include "cli/inputs.h"
 #include "cli/jobs.h"
 #include "cli/parser.h"
 #include "cli/stop_signals.h"
 #include "cli/terminal.h"
 #include "core/base/error.h"
 #include "core/base/parallel.h"
+#include "io/files/files_in_use.h"
 #include "io/files/system_limits.h"
 #include "io/plugins/plugin_list.h"
 
@@ -60,6 +62,7 @@ int runBatch(const CommandLine& line) {
   if (line.mayHave("threads")) setThreads(int(line.number("threads").value_or(0)));
   usePluginFolders(line);
   try {
+    const FilesInUse inUse(namedInputs(line));
     return jobOf(line.command).run(line);
   } catch (const InputError& error) {
     const bool isOfOption = std::string_view(error.what()).starts_with("--");

@@ -11,6 +11,7 @@
 #include "io/documents/session_file.h"
 #include "io/files/atomic_file.h"
 #include "io/files/content_hash.h"
+#include "io/files/files_in_use.h"
 #include "io/scene/view_source.h"
 #include "measure/measure_page.h"
 
@@ -31,16 +32,15 @@ PanelParams withViews(PanelParams display, const Session& session) {
 }
 
 /// The text that identifies a run: what its figures depend on.
-std::string keyOf(const MeasureRequest& request) {
+std::string keyOf(const MeasureRequest& request, const std::vector<std::filesystem::path>& files,
+                  const Progress& progress) {
   Session shown;
   shown.display = request.display;
   shown.lightField.viewingDistance = request.display.viewingDistance;
   shown.depth = request.session.depth;
   shown.cameras = {request.session.cameras.front()};
-  std::vector<std::filesystem::path> files;
-  for (const std::string& file : request.display.lensParams.files()) files.emplace_back(file);
   return "measure " + std::string(programVersion()) + " " + contentHash(textOf(shown)) +
-         (files.empty() ? "" : " " + contentHash(files));
+         (files.empty() ? "" : " " + contentHash(files, progress));
 }
 
 }  // namespace
@@ -70,10 +70,13 @@ std::vector<Measurement> measurementsOf(const Session& session, const Bench& ben
 
 Measured measure(const MeasureRequest& request, const Progress& progress) {
   const Bench bench = benchOf(request.session, request.display);
+  const std::vector<std::filesystem::path> files = sessionFiles(request.session);
+  const FilesInUse inUse(files);
   const std::vector<Measurement> all = measurementsOf(request.session, bench);
   std::vector<Bench> benches(std::size_t(threadCount()), bench);
   Campaign campaign = runCampaign(
-      {request.output, keyOf(request), all.size(), 1, request.shard}, threadCount(),
+      {request.output, keyOf(request, files, progress), all.size(), 1, request.shard},
+      threadCount(),
       [&](std::size_t item, std::size_t worker, const Progress& hear) -> std::vector<double> {
         throwIfCancelled(hear);
         if (!all[item].simulate) return {std::numeric_limits<double>::quiet_NaN()};

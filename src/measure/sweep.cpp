@@ -18,8 +18,10 @@
 #include "io/documents/session_file.h"
 #include "io/files/atomic_file.h"
 #include "io/files/content_hash.h"
+#include "io/files/files_in_use.h"
 #include "io/scene/view_source.h"
 #include "measure/contrast.h"
+#include "measure/design_files.h"
 #include "measure/measure_run.h"
 #include "page/figure.h"
 
@@ -189,17 +191,12 @@ Campaign measureDesigns(const CampaignRequest& request, const Session& base,
       progress);
 }
 
-std::string keyOf(const SweepRequest& request, const Progress& progress) {
+std::string keyOf(const SweepRequest& request, const std::vector<Design>& designs,
+                  const std::vector<std::filesystem::path>& files, const Progress& progress) {
   std::string text = textOf(request.session);
-  for (const Design& design : designsOf(request.table))
+  for (const Design& design : designs)
     for (const std::string& one : overridesOf(request.table, design)) text += "\n" + one;
   for (const std::string& figure : request.table.figures) text += "\n" + figure;
-  std::vector<std::filesystem::path> files = displayFiles(request.session);
-  if (std::ranges::any_of(request.table.figures, needsViews)) {
-    const auto light =
-        openLightField(request.session.lightField, request.session.display, progress);
-    for (const std::filesystem::path& file : light->files()) files.push_back(file);
-  }
   std::string hash;
   if (!files.empty() && !request.output.empty()) {
     makeFolder(request.output);
@@ -307,13 +304,21 @@ std::string yieldText(const SweepTable& table, const std::vector<SweepRow>& rows
          percent(yield.low) + " … " + percent(yield.high) + " %)";
 }
 
+std::vector<std::filesystem::path> inputsOf(const SweepRequest& request, const Progress& progress) {
+  const bool hasViews = std::ranges::any_of(request.table.figures, needsViews);
+  return filesOfDesigns(request.session, request.table, designsOf(request.table), hasViews,
+                        progress);
+}
+
 Sweep sweep(const SweepRequest& request, const Progress& progress) {
   requireHogels(request.session.display, "a sweep");
   checkFigures(request.table, request.session);
   const std::vector<Design> designs = designsOf(request.table);
   checkParameters(request, designs.front());
+  const std::vector<std::filesystem::path> files = inputsOf(request, progress);
+  const FilesInUse inUse(files);
   const Campaign campaign = measureDesigns(
-      {request.output, keyOf(request, part(progress, 0, 0.02)), designs.size(),
+      {request.output, keyOf(request, designs, files, part(progress, 0, 0.02)), designs.size(),
        request.table.figures.size(), request.shard},
       asDesigned(request.session), request.table.figures,
       [&](std::size_t item) {

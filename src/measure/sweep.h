@@ -51,6 +51,10 @@ struct Sweep {
 /// state's view.
 void checkFigures(const SweepTable& table, const Session& session);
 
+/// Returns all files that the figures depend on, with those that designs alone name. Throws
+/// Cancelled.
+std::vector<std::filesystem::path> inputsOf(const SweepRequest& request, const Progress& progress);
+
 /// Measures all designs, and writes sweep.csv, sweep.html and plots; for a shard only its part.
 /// After a stop the same request goes on where it was. Throws InputError, Cancelled.
 Sweep sweep(const SweepRequest& request, const Progress& progress);

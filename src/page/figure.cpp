@@ -2,7 +2,7 @@
 #include "page/figure.h"
 
 #include "io/files/atomic_file.h"
-#include "io/files/folders.h"
+#include "io/files/files_in_use.h"
 #include "page/html.h"
 
 namespace hogelscope {
@@ -23,6 +23,11 @@ void writeFigures(const std::filesystem::path& folder, const std::vector<Figure>
   if (figures.empty()) return;
   const std::filesystem::path plots = folder / "plots";
   makeFolder(plots);
+  std::vector<std::filesystem::path> files;
+  for (const Figure& figure : figures)
+    for (const char* const ending : {".svg", ".csv"})
+      files.push_back(plots / (figure.name + ending));
+  checkOutputs(files);
   for (const Figure& figure : figures) {
     writeTextFile(plots / (figure.name + ".svg"), svgFile(figure.svg, figure.width));
     writeTextFile(plots / (figure.name + ".csv"), figure.csv);

@@ -5,7 +5,7 @@
 #include "core/base/error.h"
 #include "io/documents/camera_set_file.h"
 #include "io/documents/session_file.h"
-#include "io/files/folders.h"
+#include "io/files/files_in_use.h"
 #include "io/opening/session_around.h"
 #include "io/plugins/plugin_list.h"
 #include "python/bindings.h"
@@ -30,7 +30,7 @@ void save(const Document& document, const std::string& file) {
     const Session session = sessionOf(document);
     if (!isSessionFile(file))
       throw InputError(file, "cannot be written", "a session's name ends in .hogelscope or .json");
-    checkOutputs({file}, {contentName(session.lightField)});
+    const FilesInUse inUse(filesOf(session));
     saveSession(file, session);
   });
 }

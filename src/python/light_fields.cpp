@@ -125,7 +125,7 @@ py::array toArray(Content& content, const py::object& progress) {
   return result;
 }
 
-std::vector<std::string> filesOf(const Content& content) {
+std::vector<std::string> fileNames(const Content& content) {
   std::vector<std::string> names;
   for (const std::filesystem::path& file : content.file()->files()) names.push_back(file.string());
   return names;
@@ -157,7 +157,7 @@ void addLightFields(py::module_& module) {
       .def_property_readonly(
           "dtype", [](const Content& content) { return dtypeOf(content.file()->type()); },
           "numpy.dtype of its values: uint8, uint16 or float32")
-      .def_property_readonly("files", &filesOf, "Names of its files; none of an array.")
+      .def_property_readonly("files", &fileNames, "Names of its files; none of an array.")
       .def_property_readonly(
           "warnings", [](const Content& content) { return content.warnings(); },
           "Lines on what it lacks, such as missing views.")

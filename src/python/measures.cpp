@@ -5,6 +5,8 @@
 #include <tuple>
 
 #include "io/documents/session_file.h"
+#include "io/files/files_in_use.h"
+#include "io/scene/view_source.h"
 #include "measure/depth_budget_run.h"
 #include "measure/measure_run.h"
 #include "measure/sweep.h"
@@ -38,6 +40,7 @@ std::string measureSession(const Document& document, const std::string& output, 
     MeasureRequest request;
     request.name = document.name.empty() ? "a session of Python" : document.name;
     request.session = sessionOf(document);
+    const FilesInUse inUse(filesOf(request.session));
     request.display = displayToMeasure(request.session, hear);
     request.output = output;
     return csv(measure(request, hear).figures);
@@ -52,6 +55,7 @@ std::string sweepSession(const Document& document, const std::string& table,
     SweepRequest request;
     request.name = document.name.empty() ? "a session of Python" : document.name;
     request.session = sessionOf(document);
+    const FilesInUse inUse(filesOf(request.session));
     request.table = parseSweepTable(table);
     request.output = output;
     return csv(request.table, sweep(request, hear).rows);

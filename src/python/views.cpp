@@ -10,7 +10,7 @@
 #include "core/cameras/focus_stack.h"
 #include "core/engine/renderer.h"
 #include "core/optics/eyes.h"
-#include "io/files/folders.h"
+#include "io/files/files_in_use.h"
 #include "io/images/image_writer.h"
 #include "io/scene/view_source.h"
 #include "python/bindings.h"
@@ -114,7 +114,7 @@ RenderedViews SessionViews::render(const RenderRequest& request, const Progress&
   const PanelParams display = resolved(displayOf(session), file.size());
   expand(session, display, request);
   RenderedViews result;
-  for (const auto& input : file.files()) result.inputs.push_back(input.string());
+  for (const auto& input : filesOf(session, file)) result.inputs.push_back(input.string());
   const Progress reading = part(progress, 0.1, 0.5);
   const auto inMemory = [&] {
     ViewSource source{content->source(reading), display, session.sampling, request.isIdeal};
@@ -202,7 +202,7 @@ void write(const std::string& file, const Bytes& image, const std::optional<Floa
   const std::uint8_t* const rgb = image.data();
   const float* const floats = values ? values->data() : nullptr;
   runStoppable(py::none(), [&](const Progress& hear) {
-    checkOutputs({file}, {inputs.begin(), inputs.end()});
+    const FilesInUse inUse({inputs.begin(), inputs.end()});
     if (floats != nullptr)
       writeImage(file, width, height, std::span(floats, size));
     else

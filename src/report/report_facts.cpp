@@ -69,7 +69,7 @@ ReportFacts factsOf(const ReportRequest& request, FileHashes& hashes, const Prog
     const std::string hash = contentOf(file, hashes, progress);
     line(name, described(of.lightField, file.size(), hash));
     all += hash;
-    const auto files = displayFiles(of);
+    const auto files = sessionFiles(of);
     if (!files.empty()) all += hashes.of(files, progress);
   };
   if (!request.sessionFile.empty())

@@ -160,7 +160,7 @@ std::vector<fs::path> filesOf(const ReportRequest& request) {
       plot("test" + std::to_string(test + 1) + "_" + kind);
     if (!request.images) continue;
     for (const CameraState& state : request.session.cameras) {
-      files.push_back(referenceImage(folder, state.camera.name));
+      if (test == 0) files.push_back(referenceImage(folder, state.camera.name));
       files.push_back(testImage(folder, test, state.camera.name));
     }
   }

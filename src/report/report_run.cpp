@@ -13,7 +13,7 @@
 #include "core/base/text.h"
 #include "io/documents/session_file.h"
 #include "io/files/atomic_file.h"
-#include "io/files/folders.h"
+#include "io/files/files_in_use.h"
 #include "io/opening/session_around.h"
 #include "report/page/test_names.h"
 #include "report/panel_projection.h"
@@ -338,20 +338,16 @@ std::optional<double> rateOfFiles(const ReportTest& test) {
   return 8 * bytes / (double(test.file->size().width()) * double(test.file->size().height()));
 }
 
-namespace {
-
-/// Throws if an output file would replace an input.
-void checkFiles(const ReportRequest& request) {
-  std::vector<fs::path> inputs{request.sessionFile};
-  std::ranges::copy(request.file->files(), std::back_inserter(inputs));
-  std::ranges::copy(displayFiles(request.session), std::back_inserter(inputs));
+std::vector<fs::path> inputsOf(const ReportRequest& request) {
+  std::vector<fs::path> inputs = filesOf(request.session, *request.file);
   for (const ReportTest& test : request.tests) {
     inputs.emplace_back(test.name);
-    std::ranges::copy(test.file->files(), std::back_inserter(inputs));
-    std::ranges::copy(displayFiles(test.session), std::back_inserter(inputs));
+    std::ranges::copy(filesOf(test.session, *test.file), std::back_inserter(inputs));
   }
-  checkOutputs(filesOf(request), inputs);
+  return inputs;
 }
+
+namespace {
 
 /// Removes tolerances, so that differences come from the light fields, not from methods.
 ReportRequest withoutTolerance(ReportRequest request) {
@@ -366,7 +362,11 @@ ReportRequest withoutTolerance(ReportRequest request) {
 Report makeReport(const ReportRequest& request, const ReportListener& listener) {
   ReportRequest exact = withoutTolerance(request);
   if (!exact.file) exact.file = openLightField(exact.session.lightField, exact.session.display);
-  checkFiles(exact);
+  const FilesInUse inUse(inputsOf(exact));
+  {
+    const FilesInUse document({exact.sessionFile});  // which may be saved while the report is made
+    checkOutputs(filesOf(exact));
+  }
   return ReportRun(exact, listener).run();
 }
 

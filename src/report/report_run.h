@@ -8,6 +8,7 @@
 // finished.
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -17,6 +18,9 @@ namespace hogelscope {
 
 /// Opens all tests before rendering. Throws InputError.
 std::vector<ReportTest> openTests(const Session& session, const std::vector<std::string>& files);
+
+/// Returns all files that a report reads, with what its light fields are made of.
+std::vector<std::filesystem::path> inputsOf(const ReportRequest& request);
 
 /// Returns the bits of the files with pixels per directional pixel; other files of a folder do not
 /// count. None if the light field has no files.

@@ -8,10 +8,12 @@
 #include "gui/scene/scene_controller.h"
 #include "gui/view/image_widget.h"
 #include "io/documents/session_file.h"
+#include "io/documents/twin_file.h"
 #include "io/scene/view_source.h"
 #include "tests/core/rendered.h"
 #include "tests/gui/shown_image.h"
 #include "tests/gui/window_test.h"
+#include "tests/io/documents.h"
 
 using namespace hogelscope;
 
@@ -25,6 +27,7 @@ class TestTwinSection : public WindowTest {
   void showsTheDesign();
   void changesOfLightMakeItLinear();
   void sceneShowsErrors();
+  void savingKeepsTheUnit();
 
  private:
   void set(const char* field, double value) const {
@@ -97,6 +100,21 @@ void TestTwinSection::sceneShowsErrors() {
   QCOMPARE(twin.arrows(), 0);
   m_model->setTwin({});
   QTRY_COMPARE_WITH_TIMEOUT(twin.colours(), 0, patience);
+}
+
+/// A session is saved over no document that it names, under any name.
+void TestTwinSection::savingKeepsTheUnit() {
+  Session session = m_model->session();
+  session.twin.lensArray.rotation = 1;
+  session.twinFile = "unit.json";
+  saveTwin("unit.json", session.twin);
+  saveSession("twinned.json", session);
+  QVERIFY(files(*m_window).open("twinned.json"));
+  QVERIFY(QFile::link("unit.json", "link.json"));
+  const QByteArray before = contentOf("unit.json");
+  for (const char* name : {"unit.json", "link.json"}) QVERIFY(!files(*m_window).save(name));
+  QCOMPARE(contentOf("unit.json"), before);
+  QVERIFY(files(*m_window).save("twinned.json"));
 }
 
 int main(int argc, char** argv) {

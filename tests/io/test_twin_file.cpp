@@ -90,7 +90,7 @@ void TestTwinFile::aSessionNamesItsTwin() {
   const Session session = loadSession("s.json");
   QCOMPARE(session.twinFile, std::string("units/seven.json"));
   QCOMPARE(session.twin.maps.hogels, std::string("units/unit7.exr"));
-  QCOMPARE(displayFiles(session).size(), std::size_t{4});
+  QCOMPARE(sessionFiles(session).size(), std::size_t{4});
   QVERIFY(QDir().mkpath("other"));
   saveSession("other/s.json", session);
   QVERIFY(contentOf("other/s.json").contains("\"twin\": \"../units/seven.json\""));

@@ -114,6 +114,18 @@ class Sessions(FolderTest):
         self.assertSame(again.render("Fig 2").image, s.render("Fig 2").image)
         self.assertRefuses("", s.save, self.path("missing", "a.json"))
 
+    def test_save_replaces_no_input(self):
+        self.write("unit.json", {"lensArray": {"offset": [0.0001, 0]}})
+        self.write("s.json", small_session(
+            twin="unit.json", lightField={"layout": "live", "source": "scene"},
+            display={"size": [0.4, 0.4], "hogels": [8, 8], "directions": [4, 4]}))
+        s = hs.Session(self.path("s.json"))
+        os.symlink("unit.json", self.path("link.json"))
+        for name in ("unit.json", "link.json"):
+            self.assertRefuses("which is read", s.save, self.path(name))
+        with open(self.path("unit.json"), encoding="utf-8") as file:
+            self.assertIn("lensArray", file.read())
+
     def test_around_a_folder(self):
         folder = self.write_views(random_views())
         with warnings.catch_warnings():

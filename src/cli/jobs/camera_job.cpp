@@ -8,7 +8,9 @@
 #include "core/base/text.h"
 #include "io/documents/camera_set_file.h"
 #include "io/documents/session_file.h"
+#include "io/files/files_in_use.h"
 #include "io/files/folders.h"
+#include "io/scene/view_source.h"
 
 namespace hogelscope {
 
@@ -39,8 +41,9 @@ int runMakeCameras(const CommandLine& line) {
   const std::string output = line.text("output");
   if (!isSessionFile(output))
     throw InputError(output, "cannot be written", "a session's name ends in .hogelscope or .json");
-  // The session itself may be replaced by the one with more states, but none of its inputs.
-  checkOutputs({output}, {line.subject, line.text("calibration"), contentName(session.lightField)});
+  std::vector<std::filesystem::path> inputs = filesOf(session);
+  inputs.emplace_back(set.traceFile);
+  const FilesInUse inUse(inputs);
   makeFolderOf(output);
   saveSession(output, result);
   if (!line.has("quiet")) sayWhatWasMade(set, session, result, output);

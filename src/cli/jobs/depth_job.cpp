@@ -12,8 +12,10 @@
 #include "core/base/text.h"
 #include "io/documents/session_file.h"
 #include "io/files/atomic_file.h"
+#include "io/files/files_in_use.h"
 #include "io/files/folders.h"
 #include "io/files/system_limits.h"
+#include "io/scene/view_source.h"
 #include "measure/depth_budget_run.h"
 
 namespace hogelscope {
@@ -84,9 +86,8 @@ int runDepth(const CommandLine& line) {
                        "cannot be written: a session's name ends in .hogelscope or .json");
     outputs.emplace_back(fit);
   }
-  checkOutputs(outputs,
-               inputFiles({line.text("session"), line.text("calibration")}, session, *file));
-  keepSession(line, session);
+  const FilesInUse inUse(filesOf(session, *file));
+  checkResults(line, outputs);
   makeFolder(folder);
   ProgressBar bar("measuring depths", line.has("quiet"));
   const DepthBudget budget = measureDepths(session, *file, {}, bar.progress());
@@ -111,6 +112,7 @@ int runDepth(const CommandLine& line) {
     makeFolderOf(fit);
     saveSession(fit, budget.proposal->session);
   }
+  keepSession(line, session);
   bar.done();
   if (line.has("quiet")) return 0;
   printFigures(budget);

@@ -11,6 +11,7 @@
 #include "io/documents/rig_file.h"
 #include "io/documents/session_file.h"
 #include "io/files/atomic_file.h"
+#include "io/files/files_in_use.h"
 #include "io/files/folders.h"
 #include "io/scene/light_field_export.h"
 #include "io/scene/twin_content.h"
@@ -35,18 +36,19 @@ PanelParams panelOf(const Session& session) {
 
 int exportRig(const Session& session, const CommandLine& line) {
   inFile(line.text("session"), [&] { requireHogels(session.display, "a rig"); });
-  keepSession(line, session);
   const fs::path output = line.text("output");
   const fs::path gltf = fs::path(output).replace_extension(".gltf");
   if (gltf == output)
     throw InputError("--output " + output.string(),
                      "is the name of the glTF file beside the rig: end it in .json");
-  checkOutputs({output, gltf}, {line.text("session"), session.lightField.file});
+  const FilesInUse inUse(filesOf(session));
+  checkResults(line, {output, gltf});
   const PanelParams display = panelOf(session);  // its errors name the light field's file
   const std::vector<RigCamera> rig = inFile(line.text("session"), [&] { return rigOf(display); });
   makeFolderOf(output);
   writeTextFile(output, rigText(rig));
   writeTextFile(gltf, rigGltf(rig));
+  keepSession(line, session);
   if (!line.has("quiet"))
     std::cout << printable(output.string()) << ", " << printable(gltf.string()) << ": "
               << rig.size() << " camera(s)\n";
@@ -76,13 +78,16 @@ int runExport(const CommandLine& line) {
     return exportRig(loadSession(line.text("session"), line.texts("set")), line);
   const Session session = loadSessionOf(line);
   if (line.subject == "rig") return exportRig(session, line);
-  keepSession(line, session);
   if (line.subject == "pack")
     inFile(line.text("session"), [&] { requireHogels(session.display, "a pack"); });
   if (line.has("for-twin") && line.subject == "pack")
     throw InputError("command line", "--for-twin",
                      "is not for a store: export hogels or views, then pack them");
-  if (line.subject == "pack") return packContent(session, true, line);
+  if (line.subject == "pack") {
+    const int status = packContent(session, true, line);
+    keepSession(line, session);
+    return status;
+  }
   const auto isTo = [&line](const char* layout) { return line.subject == layout; };
   const bool isQuilt = isTo("quilt");
   if (!isTo("hogels") && !isTo("views") && !isQuilt && !isTo("mosaic") && !isTo("woven"))
@@ -95,7 +100,8 @@ int runExport(const CommandLine& line) {
                                    : "is for a display of hogels: give woven for a lens sheet");
   const fs::path output = line.text("output");
   const auto file = contentToExport(session, line);
-  checkOutputs({output}, inputFiles({line.text("session")}, session, *file));
+  const FilesInUse inUse(filesOf(session, *file));
+  checkResults(line, {output});
   std::array<int, 2> tiles{};
   if (isQuilt) tiles = quiltTilesFor(*file, output);
   makeFolderOf(output);
@@ -104,6 +110,7 @@ int runExport(const CommandLine& line) {
    : isQuilt                       ? exportQuilt
    : isTo("views")                 ? exportViews
                                    : exportMosaic)(*file, output, bar.progress());
+  keepSession(line, session);
   bar.done();
   if (line.has("quiet")) return 0;
   std::cout << printable(output.string()) << ": " << line.subject;

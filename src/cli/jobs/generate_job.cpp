@@ -15,6 +15,7 @@
 #include "core/content/pattern_list.h"
 #include "io/documents/light_field_params.h"
 #include "io/documents/session_file.h"
+#include "io/files/files_in_use.h"
 #include "io/files/folders.h"
 #include "io/files/system_limits.h"
 #include "io/images/degradation.h"
@@ -115,22 +116,22 @@ void writeBands(const Pattern& pattern, const LightFieldSize& size, const Degrad
 }
 
 /// Returns the display of a document, whose light field need not exist yet, or of a new session for
-/// a folder, an image or a mesh, with its hogel and direction counts. Adds the files read to
-/// `inputs`.
-PanelParams displayToFill(const CommandLine& line, std::vector<fs::path>& inputs) {
+/// a folder, an image or a mesh, with its hogel and direction counts. Its light field is replaced
+/// by none of those that are made of it.
+PanelParams displayToFill(const CommandLine& line, std::optional<FilesInUse>& inUse) {
   if (isSessionDocument(line.text("session")))
     return displayOf(loadSession(line.text("session"), line.texts("set")));
   const Session session = loadSessionOf(line);
   const auto lightField = openLightField(session.lightField, session.display);
-  inputs = inputFiles(std::move(inputs), session, *lightField);
+  inUse.emplace(filesOf(session, *lightField));
   return resolved(displayOf(session), lightField->size());
 }
 
 }  // namespace
 
 int runGenerate(const CommandLine& line) {
-  std::vector<fs::path> inputs{line.subject, line.text("session")};
-  const PanelParams display = displayToFill(line, inputs);
+  std::optional<FilesInUse> inUse;
+  const PanelParams display = displayToFill(line, inUse);
   const auto pattern = makePattern(line.subject, display, patternParams(line.jobOverrides));
   Degradation degradation;
   if (line.has("degrade")) degradation = parseDegradation(line.text("degrade"));
@@ -139,7 +140,7 @@ int runGenerate(const CommandLine& line) {
     throw InputError("--seed", "is of the noise; it needs --degrade noise:SIGMA");
   if (seed) degradation.seed = std::uint64_t(*seed);
   const std::string output = line.text("output");
-  checkOutputs({output}, inputs);
+  checkResults(line, {output});
   makeFolderOf(output);
   const LightFieldSize size{display.hogels[0], display.hogels[1], display.directions[0],
                             display.directions[1]};

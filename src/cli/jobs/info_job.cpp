@@ -15,6 +15,7 @@
 #include "core/panel/sheet_numbers.h"
 #include "io/documents/session_file.h"
 #include "io/documents/sheet_file.h"
+#include "io/files/files_in_use.h"
 #include "io/files/folders.h"
 #include "io/images/image_file.h"
 #include "io/images/image_writer.h"
@@ -319,7 +320,8 @@ void writeContactSheet(const CommandLine& line, const OrderedSession& subject,
     throw InputError(line.subject, "display.hogels",
                      "and display.directions are needed for a contact sheet");
   const auto lightField = openLightField(subject.session.lightField, subject.session.display);
-  checkOutputs({file}, inputFiles({line.subject}, subject.session, *lightField));
+  const FilesInUse inUse(filesOf(subject.session, *lightField));
+  checkResults(line, {file});
   makeFolderOf(file);
   ProgressBar bar("drawing the views", false);
   const auto& [sheet, isStretched] =

@@ -10,7 +10,8 @@
 #include "cli/terminal.h"
 #include "core/base/text.h"
 #include "io/documents/session_file.h"
-#include "io/files/folders.h"
+#include "io/files/files_in_use.h"
+#include "io/scene/view_source.h"
 #include "measure/measure_run.h"
 
 namespace hogelscope {
@@ -48,10 +49,8 @@ int runMeasure(const CommandLine& line) {
   request.output = line.text("output");
   request.shard = shardOf(line);
   const std::filesystem::path folder = request.output;
-  std::vector<std::filesystem::path> inputs{request.name, line.text("calibration")};
-  for (const std::string& file : request.display.lensParams.files()) inputs.emplace_back(file);
-  checkOutputs({folder / "measure.csv", folder / "measure.html"}, inputs);
-  keepSession(line, request.session);
+  const FilesInUse inUse(filesOf(request.session));
+  checkResults(line, {folder / "measure.csv", folder / "measure.html"});
   const auto warn = [&](const char* text) {
     if (!isQuiet) printNote(request.name + ": warning: " + text);
   };
@@ -60,6 +59,7 @@ int runMeasure(const CommandLine& line) {
     warn("the panel is woven for the lens sheet itself, not for lightField.calibration");
   ProgressBar bar("measuring", isQuiet);
   const Measured measured = measure(request, bar.progress());
+  keepSession(line, request.session);
   bar.done();
   if (isQuiet) return 0;
   if (measured.replacedAnother)

@@ -7,6 +7,7 @@
 #include "cli/terminal.h"
 #include "core/base/text.h"
 #include "io/documents/session_file.h"
+#include "io/files/files_in_use.h"
 #include "io/files/folders.h"
 #include "io/files/random_access_file.h"
 #include "io/files/system_limits.h"
@@ -48,7 +49,8 @@ int packContent(const Session& session, bool isDisplayGiven, const CommandLine& 
   const std::string output = line.text("output");
   const bool isQuiet = line.has("quiet");
   const auto file = openLightField(session.lightField, session.display);
-  checkOutputs({output}, inputFiles({line.subject, line.text("session")}, session, *file));
+  const FilesInUse inUse(filesOf(session, *file));
+  checkResults(line, {output});
   const std::size_t memory = allowedMemory() / (file->isStream() ? 1 : 2);  // half for the reader
   const PackPlan plan =
       planPack(session.lightField, *file,

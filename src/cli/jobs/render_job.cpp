@@ -21,6 +21,7 @@
 #include "core/optics/stereo_image.h"
 #include "io/documents/session_file.h"
 #include "io/files/atomic_file.h"
+#include "io/files/files_in_use.h"
 #include "io/files/folders.h"
 #include "io/files/system_limits.h"
 #include "io/images/image_writer.h"
@@ -254,14 +255,6 @@ std::optional<StereoMode> stereoModeOf(const CommandLine& line, const Session& s
   return static_cast<StereoMode>(std::ranges::find(names, text) - names.begin());
 }
 
-/// Throws InputError if two results have the same file.
-void requireDifferent(std::vector<fs::path> files) {
-  std::ranges::sort(files);
-  const auto same = std::ranges::adjacent_find(files);
-  if (same != files.end())
-    throw InputError(same->string(), "would be written twice: rename one of the states");
-}
-
 /// Throws InputError if other options or the states keep a video from being made.
 void requireVideo(const CommandLine& line, const Session& session) {
   if (!line.has("video")) throw InputError("--fps", "belongs to --video");
@@ -319,10 +312,9 @@ int runRender(const CommandLine& line) {
   const Pictures pictures(session, display, int(line.number("focus-stack").value_or(0)), output);
   std::vector<fs::path> files = output.allFiles(pictures.all);
   for (const auto& [name, text] : pictures.tables) files.push_back(output.folder / name);
-  requireDifferent(files);
   if (line.has("video")) files.emplace_back(line.text("video"));
-  checkOutputs(files, inputFiles({line.text("session"), line.text("calibration")}, session, *file));
-  keepSession(line, session);
+  const FilesInUse inUse(filesOf(session, *file));
+  checkResults(line, files);
   warnOfCuts(*file, session, line);
   warnOfPupils(display, session, line);
   warnOfTwin(display, session, line);
@@ -338,6 +330,7 @@ int runRender(const CommandLine& line) {
   const std::string lines =
       renderAll(*file, pictures.sessionOf(session), pictures.all, output, bar.progress());
   for (const auto& [name, text] : pictures.tables) writeTextFile(output.folder / name, text);
+  keepSession(line, session);
   bar.done();
   if (!isQuiet)
     std::cout << lines << pictures.all.size() + 2 * pictures.undistorted << " picture(s) in "

@@ -18,9 +18,11 @@
 #include "core/base/text.h"
 #include "core/optics/eyes.h"
 #include "io/documents/session_file.h"
+#include "io/files/files_in_use.h"
 #include "io/plugins/metric_plugins.h"
 #include "report/page/report_tables.h"
 #include "report/report_facts.h"
+#include "report/report_files.h"
 #include "report/report_moves.h"
 #include "report/report_run.h"
 
@@ -214,7 +216,8 @@ int runReport(const CommandLine& line) {
   request.command = line.shellText;
   request.images = line.has("images");
   request.shard = shardOf(line);
-  keepSession(line, session);
+  const FilesInUse inUse(inputsOf(request));
+  checkResults(line, filesOf(request));
   if (!request.shard) warnOfCuts(*request.file, request.session, line);
   if (!request.shard)
     warnOfPupils(resolved(displayOf(session), request.file->size()), session, line);
@@ -229,6 +232,7 @@ int runReport(const CommandLine& line) {
     announceStreaming(*test.file, request.memory / 2, isQuiet);
   }
   const Report report = makeWithProgress(request, line);
+  keepSession(line, session);
   if (request.shard) {
     if (!isQuiet)
       std::cout << "shard " << textOf(*request.shard) << ": its "

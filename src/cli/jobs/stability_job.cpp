@@ -12,7 +12,7 @@
 #include "core/engine/plan.h"
 #include "io/documents/calibration_file.h"
 #include "io/files/atomic_file.h"
-#include "io/files/folders.h"
+#include "io/files/files_in_use.h"
 
 namespace hogelscope {
 
@@ -38,8 +38,7 @@ int runStability(const CommandLine& line) {
   const std::filesystem::path folder = line.text("output");
   const std::size_t first = hardLenses().size();
   const bool hasOwn = lenses.size() > first;
-  checkOutputs({folder / "stability.csv", folder / "stability.png", folder / "lenses.png"},
-               {calibrations});
+  checkOutputs({folder / "stability.csv", folder / "stability.png", folder / "lenses.png"});
   makeFolder(folder);
   ProgressBar bar("measuring", line.has("quiet"));
   const Stability stability = measureStability(lenses, parallelRows, bar.progress());

@@ -9,7 +9,7 @@
 #include "cli/terminal.h"
 #include "core/base/text.h"
 #include "io/documents/session_file.h"
-#include "io/files/folders.h"
+#include "io/files/files_in_use.h"
 #include "measure/sweep.h"
 
 namespace hogelscope {
@@ -25,12 +25,11 @@ int runSweep(const CommandLine& line) {
   request.output = line.text("output");
   request.shard = shardOf(line);
   const std::filesystem::path folder = request.output;
-  std::vector<std::filesystem::path> inputs{line.subject, request.name, line.text("calibration")};
-  std::ranges::copy(displayFiles(request.session), std::back_inserter(inputs));
-  checkOutputs({folder / "sweep.csv", folder / "sweep.html"}, inputs);
-  keepSession(line, request.session);
+  const FilesInUse inUse(inputsOf(request, {}));
+  checkResults(line, {folder / "sweep.csv", folder / "sweep.html"});
   ProgressBar bar("measuring designs", isQuiet);
   const Sweep result = inFile(line.subject, [&] { return sweep(request, bar.progress()); });
+  keepSession(line, request.session);
   bar.done();
   if (isQuiet) return 0;
   if (result.replacedAnother)

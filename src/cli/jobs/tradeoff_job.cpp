@@ -12,7 +12,7 @@
 #include "core/base/parallel.h"
 #include "core/base/text.h"
 #include "io/files/atomic_file.h"
-#include "io/files/folders.h"
+#include "io/files/files_in_use.h"
 #include "io/scene/view_source.h"
 #include "study/tradeoff.h"
 
@@ -42,9 +42,8 @@ int runTradeoff(const CommandLine& line) {
   // Opened first, so that an invalid file leaves no folder behind.
   const auto file = openLightField(session.lightField, session.display);
   const std::filesystem::path folder = line.text("output");
-  checkOutputs({folder / "tradeoff.csv", folder / "tradeoff.png", folder / "tradeoff.svg"},
-               inputFiles({line.text("session"), line.text("calibration")}, session, *file));
-  keepSession(line, session);
+  const FilesInUse inUse(filesOf(session, *file));
+  checkResults(line, {folder / "tradeoff.csv", folder / "tradeoff.png", folder / "tradeoff.svg"});
   makeFolder(folder);
   ProgressBar bar("measuring", line.has("quiet"));
   const ViewSource source = loadViewSource(session, part(bar.progress(), 0, 0.05));
@@ -64,6 +63,7 @@ int runTradeoff(const CommandLine& line) {
   writeTextFile(folder / "tradeoff.csv", csv(result.rows));
   writeTextFile(folder / "tradeoff.png", pngOf(paint, size));
   writeTextFile(folder / "tradeoff.svg", svgOf(paint, size, "Speed against accuracy"));
+  keepSession(line, session);
   bar.done();
   if (line.has("quiet")) return 0;
   std::cout << "error against " << questionText(question) << " (" << details(question) << "), over "

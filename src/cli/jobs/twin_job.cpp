@@ -10,6 +10,7 @@
 #include "core/panel/twin.h"
 #include "io/documents/twin_file.h"
 #include "io/files/atomic_file.h"
+#include "io/files/files_in_use.h"
 #include "io/files/folders.h"
 #include "io/scene/view_source.h"
 #include "io/twin/twin_maps.h"
@@ -27,7 +28,8 @@ int runMakeTwin(const CommandLine& line) {
   if (session.twin.random.shift.sigma == 0 && session.twin.random.gain.sigma == 0)
     throw InputError(name, "twin.random", "draws nothing: give shift or gain a sigma");
   const auto file = openLightField(session.lightField, session.display);
-  checkOutputs({output, maps}, inputFiles({name}, session, *file));
+  const FilesInUse inUse(filesOf(session, *file));
+  checkResults(line, {output, maps});
   const PanelParams display = resolved(displayOf(session), file->size());
   const auto twin = inFile(name, [&] { return twinOf(session.twin, display); });
   TwinParams drawn = session.twin;

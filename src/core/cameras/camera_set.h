@@ -90,6 +90,7 @@ struct CameraSet {
   CameraSetParams params;
   CameraRegionParams region;
   std::variant<std::monostate, Mixture, PoseList, PosePath, Trace> source;
+  std::string traceFile = {};  ///< that the Trace was read from
 };
 
 /// Returns the poses in the display frame; `panel` is the display's width and height. Random

@@ -9,7 +9,7 @@
 #include "core/cameras/state_list_edits.h"
 #include "io/documents/edit_name.h"
 #include "io/documents/session_file.h"
-#include "io/files/folders.h"
+#include "io/files/files_in_use.h"
 
 namespace hogelscope {
 
@@ -86,7 +86,8 @@ void SessionModel::reload() {
 
 void SessionModel::save(const QString& file) {
   check(m_session);
-  checkOutputs({file.toStdString()}, {contentName(m_session.lightField)});
+  const FilesInUse inUse(
+      sessionFiles(m_session));  // those of its light field are, while it is shown
   saveSession(file.toStdString(), m_session);
   m_saved = m_session;
   m_file = file;

@@ -19,7 +19,6 @@
 #include "gui/widgets/dialogs.h"
 #include "gui/widgets/guarded.h"
 #include "gui/widgets/polled_bar.h"
-#include "io/files/folders.h"
 #include "io/images/comparison_sheet.h"
 #include "io/images/image_writer.h"
 #include "io/scene/view_source.h"
@@ -250,7 +249,6 @@ bool ImageCommands::save(const QString& file, const Write& write) {
     return false;
   }
   return guarded(this, [&] {
-    checkOutputs({file.toStdString()}, lightFieldFiles(m_model->session()));
     write();
     Q_EMIT done(tr("Saved %1").arg(file));
   });

@@ -14,6 +14,7 @@
 #include "gui/widgets/dialogs.h"
 #include "gui/widgets/guarded.h"
 #include "gui/widgets/polled_bar.h"
+#include "io/files/files_in_use.h"
 #include "io/files/folders.h"
 #include "io/images/image_writer.h"
 #include "io/scene/animation.h"
@@ -44,11 +45,6 @@ void writeView(const RenderJob& job, const QString& file, const Progress& progre
 }
 
 }  // namespace
-
-std::vector<fs::path> lightFieldFiles(const Session& session) {
-  if (session.lightField.isLive()) return {contentName(session.lightField)};
-  return openLightField(session.lightField, session.display)->files();
-}
 
 ViewOutput::ViewOutput(QMenu* menu, QWidget* view, QStatusBar* statusBar, SessionModel* model,
                        QObject* parent)
@@ -108,9 +104,9 @@ void ViewOutput::saveView(const QString& file, const QSize& size) {
       m_source ? std::optional(m_source->job(state)) : std::nullopt;
   if (!job)  // removed while the name was asked for
     return Q_EMIT failed(tr("%1: not written: there is no light field").arg(file));
-  start([this, job, file, session = m_model->session()](const Progress& progress) {
+  start([this, job, file](const Progress& progress) {
     check(job->state, job->state.camera.name);
-    checkOutputs({file.toStdString()}, lightFieldFiles(session));
+    checkOutputs({file.toStdString()});
     writeView(*job, file, progress);
     return [this, file] {
       showState();

@@ -62,8 +62,4 @@ class ViewOutput : public QObject {
   QAction* m_saveAnimation;
 };
 
-/// Returns the files of the session's light field, which must not be overwritten. For a live scene
-/// only its own file, because opening it may take seconds. Throws InputError.
-std::vector<std::filesystem::path> lightFieldFiles(const Session& session);
-
 }  // namespace hogelscope

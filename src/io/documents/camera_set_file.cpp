@@ -114,8 +114,8 @@ PosePath readPath(const Json& list, const CameraRegionParams& region) {
   return path;
 }
 
-/// Reads the trace's file; its name is relative to `folder`.
-Trace loadTrace(const Json& object, const std::filesystem::path& folder, double distance) {
+/// Reads the trace's file, whose name is relative to `folder`, into `set`.
+void loadTrace(const Json& object, const std::filesystem::path& folder, CameraSet& set) {
   TraceParams params;
   JsonReader reader(object, "trace");
   describe(reader, params);
@@ -125,8 +125,10 @@ Trace loadTrace(const Json& object, const std::filesystem::path& folder, double 
     throw InputError("trace.file", "\"" + params.file + "\" is a document, not a CSV file");
   if (params.recording.empty() && !params.only.empty())
     throw InputError("trace.only", "needs trace.recording, the column that says which one it is");
-  const std::filesystem::path file = folder / params.file;
-  return inFile(file.string(), [&] { return readTrace(readTextFile(file), distance, params); });
+  set.traceFile = (folder / params.file).string();
+  set.source = inFile(set.traceFile, [&] {
+    return readTrace(readTextFile(set.traceFile), set.region.centre.z, params);
+  });
 }
 
 /// Reads a document that lies in `folder`.
@@ -150,7 +152,7 @@ CameraSet readDocument(const Json& document, const std::filesystem::path& folder
   if (mixture != nullptr) set.source = readMixture(*mixture, set.region);
   if (poses != nullptr) set.source = PoseList{listOf(*poses, "poses", 1, readPose, set.region)};
   if (path != nullptr) set.source = readPath(*path, set.region);
-  if (trace != nullptr) set.source = loadTrace(*trace, folder, set.region.centre.z);
+  if (trace != nullptr) loadTrace(*trace, folder, set);
   return set;
 }
 

@@ -3,6 +3,7 @@
 #include "io/documents/session_file.h"
 
 #include <algorithm>
+#include <iterator>
 
 #include "core/base/error.h"
 #include "core/base/text.h"
@@ -15,6 +16,7 @@
 #include "io/json/json_parameters.h"
 #include "io/plugins/display_json.h"
 #include "io/plugins/plugin_library.h"
+#include "io/plugins/plugin_list.h"
 
 namespace hogelscope {
 
@@ -339,7 +341,7 @@ Session newSession() {
   return session;
 }
 
-std::vector<fs::path> displayFiles(const Session& session) {
+std::vector<fs::path> sessionFiles(const Session& session) {
   const std::vector<std::string> lens = session.display.lensParams.files();
   std::vector<fs::path> files(lens.begin(), lens.end());
   if (!session.twinFile.empty()) files.emplace_back(session.twinFile);
@@ -349,6 +351,10 @@ std::vector<fs::path> displayFiles(const Session& session) {
     files.emplace_back(session.lightField.calibrationFile);
   TwinMapFiles maps = session.twin.maps;
   for (const std::string* const file : maps.files()) files.emplace_back(*file);
+  std::vector<std::string> plugins = session.metrics;
+  plugins.push_back(session.display.lensSource);
+  plugins.push_back(session.lightField.source);
+  std::ranges::copy(pluginFiles(plugins), std::back_inserter(files));
   return files;
 }
 

@@ -52,7 +52,8 @@ bool isSessionFile(const std::filesystem::path& file);
 /// Whether a file is a session, not a light field that a session is made around.
 bool isSessionDocument(const std::filesystem::path& file);
 
-/// Returns the files of a session's lens and twin, which are inputs of every job.
-std::vector<std::filesystem::path> displayFiles(const Session& session);
+/// Returns all files that a session's results depend on, but for those of its light field: the
+/// tables of its lens, its twin with its maps, calibrations, its plugins.
+std::vector<std::filesystem::path> sessionFiles(const Session& session);
 
 }  // namespace hogelscope

@@ -16,6 +16,7 @@
 #include <thread>
 
 #include "core/base/error.h"
+#include "io/files/files_in_use.h"
 #include "io/files/folders.h"
 #include "io/files/temporary_files.h"
 
@@ -74,6 +75,7 @@ AtomicFile::AtomicFile(const fs::path& path)
   std::error_code none;
   if (fs::exists(m_path, none) && !fs::is_regular_file(m_path, none))
     throw InputError(path.string(), "cannot be written", "it is there, and is not a file");
+  requireUnused(path);
   if (m_descriptor.get() < 0) openNamed();
 }
 
@@ -114,6 +116,7 @@ void AtomicFile::giveName() {
 }
 
 void AtomicFile::commit() {
+  requireUnused(m_path);
   syncToDisk(descriptor(), m_path);
   struct stat old {};
   if (::stat(m_path.c_str(), &old) == 0) (void)::fchmod(descriptor(), old.st_mode & 07777U);

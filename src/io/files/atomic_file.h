@@ -18,7 +18,7 @@ namespace hogelscope {
 class AtomicFile {
  public:
   /// Creates the file. If `path` is a symbolic link, its target will be replaced. Throws InputError
-  /// if `path` is not a regular file or its folder cannot be written to.
+  /// if `path` is not a regular file or is in use (FilesInUse), or its folder cannot be written to.
   explicit AtomicFile(const std::filesystem::path& path);
   AtomicFile(const AtomicFile&) = delete;
   AtomicFile& operator=(const AtomicFile&) = delete;

@@ -99,19 +99,4 @@ void makeFolderOf(const fs::path& file) {
   makeFolder(folder.empty() ? fs::path(".") : folder);
 }
 
-void checkOutputs(const std::vector<fs::path>& outputs, const std::vector<fs::path>& inputs) {
-  std::map<std::pair<dev_t, ino_t>, const fs::path*> read;
-  struct stat status {};
-  for (const fs::path& input : inputs)
-    if (!input.empty() && ::stat(input.c_str(), &status) == 0)
-      read[{status.st_dev, status.st_ino}] = &input;
-  for (const fs::path& output : outputs) {
-    if (::stat(output.c_str(), &status) != 0) continue;
-    const auto found = read.find({status.st_dev, status.st_ino});
-    if (found != read.end())
-      throw InputError(output.string(), "cannot be written",
-                       "it is " + found->second->string() + ", which is read: choose another name");
-  }
-}
-
 }  // namespace hogelscope

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Queries of files and folders that throw only InputError, and checks, before work starts, that
-// results can be written and replace no input.
+// results can be written.
 #pragma once
 
 #include <filesystem>
@@ -32,10 +32,5 @@ void checkWritable(const std::filesystem::path& folder);
 
 /// Creates the folder of the file and its parents. Throws InputError as checkWritable() does.
 void makeFolderOf(const std::filesystem::path& file);
-
-/// Throws InputError if an output file is one of the inputs, under any name or link. Call it before
-/// any work. Missing files are ignored.
-void checkOutputs(const std::vector<std::filesystem::path>& outputs,
-                  const std::vector<std::filesystem::path>& inputs);
 
 }  // namespace hogelscope

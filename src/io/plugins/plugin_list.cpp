@@ -183,4 +183,14 @@ std::vector<FoundPlugin> listPlugins() {
   return plugins;
 }
 
+std::vector<fs::path> pluginFiles(const std::vector<std::string>& names) {
+  std::vector<fs::path> files;
+  for (const FoundPlugin& plugin : listPlugins())
+    if (plugin.refusal.empty() && std::ranges::find(names, plugin.name) != names.end()) {
+      files.push_back(plugin.folder / "plugin.json");
+      files.push_back(plugin.library);
+    }
+  return files;
+}
+
 }  // namespace hogelscope

@@ -38,4 +38,8 @@ struct FoundPlugin {
 /// is rejected. Loads nothing and throws nothing; errors become refusals.
 std::vector<FoundPlugin> listPlugins();
 
+/// Returns plugin.json and the library of each of these plugins that is found; a session's other
+/// names, such as those of built-in content, are no plugins.
+std::vector<std::filesystem::path> pluginFiles(const std::vector<std::string>& names);
+
 }  // namespace hogelscope

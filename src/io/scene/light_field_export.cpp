@@ -9,6 +9,7 @@
 #include "core/base/error.h"
 #include "core/cameras/view_rig.h"
 #include "io/files/atomic_file.h"
+#include "io/files/files_in_use.h"
 #include "io/images/image_writer.h"
 #include "io/layouts/layouts.h"
 
@@ -62,11 +63,12 @@ fs::path viewFile(const LightFieldFile& lightField, const fs::path& folder, int 
 }
 
 /// Throws InputError for other files: views of an earlier, larger export would be taken for views
-/// of this one.
-void refuseOtherFiles(const LightFieldFile& lightField, const fs::path& folder) {
+/// of this one. Throws too if one of its own is in use.
+void checkViews(const LightFieldFile& lightField, const fs::path& folder) {
   std::set<fs::path> own;
   for (int v = 0; v < lightField.size().dv; ++v)
     for (int u = 0; u < lightField.size().du; ++u) own.insert(viewFile(lightField, folder, u, v));
+  checkOutputs({own.begin(), own.end()});
   for (const fs::directory_entry& entry : fs::directory_iterator(folder))
     if (!own.contains(folder / entry.path().filename()))
       throw InputError(entry.path().string(), "is in the folder of the views",
@@ -138,7 +140,7 @@ void exportHogels(LightFieldFile& lightField, const fs::path& file, const Progre
 
 void exportViews(LightFieldFile& lightField, const fs::path& folder, const Progress& progress) {
   makeFolder(folder);
-  refuseOtherFiles(lightField, folder);
+  checkViews(lightField, folder);
   const LightFieldSize size = lightField.size();
   const auto source = lightField.source({.memory = allowedMemory() / 2}, part(progress, 0, 0.2));
   const double bytesOfRow =

@@ -4,10 +4,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 
 #include "core/base/error.h"
 #include "core/panel/twin.h"
+#include "io/documents/session_file.h"
+#include "io/files/files_in_use.h"
 #include "io/files/folders.h"
 #include "io/plugins/plugin_library.h"
 #include "io/scene/live_file.h"
@@ -122,6 +125,22 @@ std::unique_ptr<LightFieldFile> openLightField(const LightFieldParams& params,
   return typeOf(params.layout).open(params, display, progress);
 }
 
+std::vector<std::filesystem::path> filesOf(const Session& session, const LightFieldFile& file) {
+  std::vector<std::filesystem::path> files = sessionFiles(session);
+  std::ranges::copy(file.files(), std::back_inserter(files));
+  return files;
+}
+
+std::vector<std::filesystem::path> filesOf(const Session& session) {
+  try {
+    return filesOf(session, *openLightField(session.lightField, session.display));
+  } catch (const InputError&) {
+    std::vector<std::filesystem::path> files = sessionFiles(session);
+    files.emplace_back(contentName(session.lightField));
+    return files;
+  }
+}
+
 int viewsOnSheet(const Session& session) {
   if (session.lightField.isLive()) return std::max(session.display.directions[0], 0);
   const auto [columns, rows] = quiltTilesOf(session.lightField);
@@ -155,6 +174,7 @@ ViewSource unloadedViewSource(const Session& session, const LightFieldFile& file
                     resolved(displayOf(session), file.size()), session.sampling, false};
   source.sampling.tolerance = 0;
   source.twin = twinOf(session.twin, source.display);
+  source.files = std::make_shared<const FilesInUse>(filesOf(session, file));
   return source;
 }
 
@@ -173,6 +193,7 @@ ViewSource loadViewSource(const Session& session, LightFieldFile& file, const Pr
   auto twin = twinOf(session.twin, display);  // before the light field is read
   ViewSource source{file.source(use, progress), display, session.sampling};
   source.twin = std::move(twin);
+  source.files = std::make_shared<const FilesInUse>(filesOf(session, file));
   return source;
 }
 

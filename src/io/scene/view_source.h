@@ -6,6 +6,7 @@
 #include <string>
 
 #include "core/optics/simulate.h"
+#include "io/files/files_in_use.h"
 #include "io/layouts/layouts.h"
 
 namespace hogelscope {
@@ -22,6 +23,11 @@ std::unique_ptr<LightFieldFile> openLightField(const LightFieldParams& params,
                                                const DisplayParams& display,
                                                const Progress& progress = {});
 
+/// Returns all files that a session's results depend on, with those of its open light field.
+std::vector<std::filesystem::path> filesOf(const Session& session, const LightFieldFile& file);
+/// Opens the light field for that; without the light field's parts if it cannot be opened.
+std::vector<std::filesystem::path> filesOf(const Session& session);
+
 /// Returns the number of views that a lens sheet shows: those of the quilt or of the live scene; 0
 /// if it is not known, as of a panel's picture.
 int viewsOnSheet(const Session& session);
@@ -35,6 +41,8 @@ struct ViewSource {
   int bits = 8;                           ///< bits of its views' values
   bool keepsUnrounded = false;            ///< its views have their unrounded values too
   std::shared_ptr<const Twin> twin = {};  ///< the unit that they see; null: the design
+  /// The session's files: nothing replaces them while views are made of them.
+  std::shared_ptr<const FilesInUse> files = {};
 
   [[nodiscard]] RenderJob job(const CameraState& state) const {
     return {lightField, display, sampling, state, {}, isIdeal, bits, keepsUnrounded, twin};

@@ -9,6 +9,7 @@
 
 #include "core/base/error.h"
 #include "io/files/atomic_file.h"
+#include "io/files/files_in_use.h"
 
 namespace hogelscope {
 
@@ -20,6 +21,7 @@ fs::path partOf(const fs::path& file) {
   std::error_code none;
   if (fs::exists(file, none) && !fs::is_regular_file(file, none))
     throw InputError(file.string(), "cannot be written", "it is there, and is not a file");
+  requireUnused(file);
   fs::path part = file;
   part += ".part";
   requireOwnFile(part, tiffHeader().substr(0, firstLinkAt));
@@ -146,6 +148,7 @@ std::string StoreOutput::pageName() {
 
 void StoreOutput::commit() {
   sync();
+  requireUnused(m_file);
   std::error_code error;
   fs::rename(m_part, m_file, error);
   if (error) fail(error.value());
