@@ -4,6 +4,7 @@
 set -eu
 cd "$(dirname "$0")/.."
 packaging/install.sh packaging/style-packages.txt
+packaging/install.sh packaging/test-packages.txt
 packaging/style.sh
 packaging/build.sh
 if [ "${1:-}" = --all ]; then ctest --preset release; else ctest --preset release -LE slow; fi

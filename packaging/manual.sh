@@ -3,6 +3,7 @@
 # rsvg-convert (librsvg2-bin) and montage (imagemagick).
 set -eu
 here=$(dirname "$0")
+"$here/install.sh" "$here/test-packages.txt"
 "$here/build.sh" hogelscope
 cmake --build --preset release --target screenshots
 cd "$here/.."
