@@ -14,6 +14,7 @@ formats="avif bmp dpx exr gif heic jp2 jpg pgx png ppm tga tif webp"
 
 work=$(mktemp -d /tmp/check_tarball.XXXXXX)
 trap 'rm -rf "$work"' EXIT
+fail() { echo "check_tarball.sh: $suite: $*" >&2; exit 1; }
 chmod 755 "$work"
 root=$work/root
 # A snapshot of a suite that changes is soon out of date.
@@ -30,7 +31,7 @@ inside() {
 }
 install() {
   inside 0:0 sh -c "apt-get update -qq && apt-get install -y -qq --no-install-recommends $*" \
-    >"$work/apt.log" 2>&1 || { cat "$work/apt.log" >&2; exit 1; }
+    >"$work/apt.log" 2>&1 || { cat "$work/apt.log" >&2; fail "apt-get cannot install $*"; }
 }
 
 # A folder that its user may not write, with a blank in its name.
@@ -78,15 +79,19 @@ chown 1000:1000 "$root/home"
 # shellcheck disable=SC2086
 inside 1000:1000 sh /jobs.sh "/a folder/of it/bin/hogelscope" /sources /home/out $formats
 # Letters are drawn by the system's libraries, and functions of its C library round otherwise.
-diff -r -x 'stability.*' "$work/out" "$root/home/out"
-[ -s "$root/home/out/stability/stability.png" ]
+diff -r -x 'stability.*' "$work/out" "$root/home/out" || fail "its files are not the build tree's"
+[ -s "$root/home/out/stability/stability.png" ] || fail "stability.png is missing or empty"
 plugins=$(inside 1000:1000 "/a folder/of it/bin/hogelscope" --plugins)
-[ "$(echo "$plugins" | grep -c "^[a-z-]* *[0-9].*/a folder/")" -eq 3 ]
+[ "$(echo "$plugins" | grep -c "^[a-z-]* *[0-9].*/a folder/")" -eq \
+  "$(find "$root/a folder/of it" -name plugin.json | wc -l)" ] || {
+  echo "$plugins" >&2
+  fail "the program does not list all plugins of the tarball"
+}
 echo "$(find "$work/out" -type f | wc -l) files are equal to the build tree's"
 
 # All that the window loads is there before the display server brings its own.
 if inside 1000:1000 sh -c 'ldd "$0"/bin/* "$0"/lib/hogelscope/qt/*/*.so 2>/dev/null' \
-  "/a folder/of it" | grep 'not found'; then exit 1; fi
+  "/a folder/of it" | grep 'not found'; then fail "libraries of the window are missing"; fi
 install xvfb
 mkdir -m 1777 "$root/tmp/.X11-unix"
 mkdir -m 777 "$root/screen"
@@ -100,10 +105,7 @@ inside 1000:1000 sh -c '
   cp /screen/Xvfb_screen0 /screen/picture
   wait $!' "/a folder/of it/bin/hogelscope" >"$work/window.log" 2>&1 || status=$?
 cat "$work/window.log"
-[ $status -eq 124 ] || { echo "check_tarball.sh: the window ended with $status" >&2; exit 1; }
-[ "$(tr -d '\000' <"$root/screen/picture" | wc -c)" -gt 2000000 ] || {
-  echo "check_tarball.sh: the window's picture is black" >&2
-  exit 1
-}
+[ $status -eq 124 ] || fail "the window ended with $status"
+[ "$(tr -d '\000' <"$root/screen/picture" | wc -c)" -gt 2000000 ] || fail "the window's picture is black"
 [ -z "${PICTURE-}" ] || cp "$root/screen/picture" "$PICTURE"
 echo "The window runs in $suite."

@@ -12,7 +12,14 @@ format() {
   find plugins src tests \( -name '*.h' -o -name '*.cpp' -o -name '*.cxx' \) -print0 |
     xargs -0 clang-format-14 --dry-run -Werror
 }
-shell() { shellcheck --severity=warning .ci/run packaging/*.sh tests/benchmark/*.sh; }
+shell() {
+  shellcheck --severity=warning .ci/run packaging/*.sh tests/benchmark/*.sh
+  # Under set -e a test that stands alone ends the script without a word.
+  if grep -nE '^ *(\[ .* \]|grep -q .*[^\])$' packaging/*.sh | grep -v '||'; then
+    echo 'style.sh: these tests end a script without saying why: add || fail "..."' >&2
+    exit 1
+  fi
+}
 # Names of our own, and what tests misspell on purpose, in lower case.
 names_and_mistakes=bu,dispaly,flie,fo,foundin,fro,hashin,idealy,infront,numberin,parametres,patern
 names_and_mistakes=$names_and_mistakes,perview,positionof,reconstuction,sise,vews

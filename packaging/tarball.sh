@@ -69,7 +69,7 @@ symbols() {
     sub("@@", "@", $8); print ($7 == "UND" ? "no" : "yes"), $4, $3, $8 }'
 }
 
-for component in program libraries; do
+for component in program window libraries; do
   cmake --install build/release --prefix "$top" --strip --component $component
 done >"$work/install.log"
 rm -f "$lib"/libhogelscope_vtk*  # for programs of others
@@ -146,7 +146,10 @@ done
 
 # No function without a library; none of this machine but the system's and what those load.
 xargs -d '\n' ldd -r <"$work/roots" >"$work/ldd" 2>&1 || true
-if grep -E 'not found|undefined symbol|no version information' "$work/ldd"; then exit 1; fi
+if grep -E 'not found|undefined symbol|no version information' "$work/ldd"; then
+  echo "tarball.sh: libraries of the tarball lack what these lines name" >&2
+  exit 1
+fi
 while read -r file; do needed "$file"; done <"$work/queue" | sort -u | while read -r library; do
   isSystems "$library" && continue
   others=$(awk -v name="$library" '$1 == name { print $3 }' "$work/ldd" | grep -v "^$top/" || true)
