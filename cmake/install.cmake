@@ -1,20 +1,22 @@
 # What cmake --install gives, beside the plugins, the SDK and the libraries, which say it where they
-# are made. Components: program, libraries (that it and Python load), dev (libraries, headers, CMake
+# are made. Components: program (jobs, samples), window (its program, what a desktop reads, the VTK
+# module's library), libraries (that programs and Python load), dev (libraries, headers, CMake
 # package), sdk (the part of it that plugins need), python.
 set(HOGELSCOPE_APP io.github.hogelscope.Hogelscope)
 set(desktop ${PROJECT_SOURCE_DIR}/resources/desktop)
 
-install(TARGETS hogelscope hogelscope-window RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT program)
+install(TARGETS hogelscope RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT program)
+install(TARGETS hogelscope-window RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT window)
 install(TARGETS hogelscope-codecs LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/hogelscope/lib
   COMPONENT libraries)
 install(FILES ${desktop}/${HOGELSCOPE_APP}.desktop
-  DESTINATION ${CMAKE_INSTALL_DATADIR}/applications COMPONENT program)
+  DESTINATION ${CMAKE_INSTALL_DATADIR}/applications COMPONENT window)
 install(FILES ${desktop}/${HOGELSCOPE_APP}.metainfo.xml
-  DESTINATION ${CMAKE_INSTALL_DATADIR}/metainfo COMPONENT program)
+  DESTINATION ${CMAKE_INSTALL_DATADIR}/metainfo COMPONENT window)
 install(FILES ${desktop}/${HOGELSCOPE_APP}.svg
-  DESTINATION ${CMAKE_INSTALL_DATADIR}/icons/hicolor/scalable/apps COMPONENT program)
+  DESTINATION ${CMAKE_INSTALL_DATADIR}/icons/hicolor/scalable/apps COMPONENT window)
 install(FILES ${desktop}/${HOGELSCOPE_APP}.xml
-  DESTINATION ${CMAKE_INSTALL_DATADIR}/mime/packages COMPONENT program)
+  DESTINATION ${CMAKE_INSTALL_DATADIR}/mime/packages COMPONENT window)
 install(FILES data/scene.png data/room.glb
   DESTINATION ${CMAKE_INSTALL_DATADIR}/hogelscope/samples COMPONENT program)
 foreach(sample table1 room)
@@ -44,8 +46,9 @@ add_custom_command(OUTPUT ${made}/hogelscope.1.gz ${made}/hogelscope.bash DEPEND
   COMMAND ${HOGELSCOPE_GZIP} -9nf ${made}/hogelscope.1
   COMMAND ${CMAKE_COMMAND} -E create_symlink hogelscope.1.gz ${made}/hogelscope-window.1.gz)
 add_custom_target(hogelscope_share ALL DEPENDS ${made}/hogelscope.1.gz ${made}/hogelscope.bash)
-install(FILES ${made}/hogelscope.1.gz ${made}/hogelscope-window.1.gz
-  DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT program)
+install(FILES ${made}/hogelscope.1.gz DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT program)
+install(FILES ${made}/hogelscope-window.1.gz
+  DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT window)
 install(FILES ${made}/hogelscope.bash DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions
   RENAME hogelscope COMPONENT program)
 

@@ -1,5 +1,7 @@
-# Debian packages by CPack (packaging/deb.sh): hogelscope, libhogelscope-dev and, where there is
-# something for Python, python3-hogelscope. The revision sorts before those that Debian would give.
+# Debian packages by CPack (packaging/deb.sh): hogelscope, hogelscope-window, libhogelscope-dev and,
+# where there is something for Python, python3-hogelscope. The window is a package of its own since
+# it alone needs VTK: 29 packages in Debian 12, a third of the disk in Debian 13. The revision sorts
+# before those that Debian would give.
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME hogelscope)
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "")  # each package has its own
@@ -13,7 +15,8 @@ set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXE
 set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_COMPONENTS_GROUPING ONE_PER_GROUP)
 # Of each package: its name, and the install components in it.
-set(hogelscope_packages "program:hogelscope:program,libraries" "dev:libhogelscope-dev:dev,sdk")
+set(hogelscope_packages "program:hogelscope:program,libraries" "window:hogelscope-window:window"
+  "dev:libhogelscope-dev:dev,sdk")
 if(HOGELSCOPE_PYTHON_VTK OR TARGET _hogelscope)
   list(APPEND hogelscope_packages "python:python3-hogelscope:python")
 endif()
@@ -45,9 +48,12 @@ set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS ${CMAKE_BINARY_DIR}/lib/hogelsco
 set(CPACK_DEBIAN_PACKAGE_PRIORITY optional)
 set(CPACK_DEBIAN_PACKAGE_RELEASE 0hogelscope1)
 
+set(this_version "(= ${PROJECT_VERSION}-${CPACK_DEBIAN_PACKAGE_RELEASE})")
+set(same_program "hogelscope ${this_version}")
+set(same_window "hogelscope-window ${this_version}")
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME hogelscope)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SECTION science)
-set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS "libgl1-mesa-dri, qt6-qpa-plugins")
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS "${same_window}")
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS ffmpeg)  # videos of animations
 set(CPACK_DEBIAN_PROGRAM_DESCRIPTION "simulated viewing of light field displays
 Hogelscope shows what a viewer, or a camera with a real lens, would see in
@@ -56,13 +62,27 @@ and geometry of the display, a camera with its lens distortion, and the light
 leakage of the display, gives the picture that the camera would take, and
 compares such pictures over many camera positions.
 
-This package has the program, its plugins and sample sessions.")
+This package has the program for batch jobs, its plugins and sample sessions.
+The window is in the package hogelscope-window.")
 
-set(same_version "hogelscope (= ${PROJECT_VERSION}-${CPACK_DEBIAN_PACKAGE_RELEASE})")
+set(CPACK_DEBIAN_WINDOW_PACKAGE_NAME hogelscope-window)
+set(CPACK_DEBIAN_WINDOW_PACKAGE_SECTION science)
+set(CPACK_DEBIAN_WINDOW_PACKAGE_DEPENDS "${same_program}")
+set(CPACK_DEBIAN_WINDOW_PACKAGE_RECOMMENDS "libgl1-mesa-dri, qt6-qpa-plugins")
+# hogelscope 0.1 had the window's files.
+set(CPACK_DEBIAN_WINDOW_PACKAGE_BREAKS "hogelscope (<< 0.2.0)")
+set(CPACK_DEBIAN_WINDOW_PACKAGE_REPLACES "hogelscope (<< 0.2.0)")
+set(CPACK_DEBIAN_WINDOW_DESCRIPTION "simulated viewing of light field displays - window
+The desktop application of Hogelscope: the simulated view beside a 3-D scene of
+the display and its cameras, reports, measures and comparisons.
+
+This package has the window, its desktop entry, and the library of the VTK
+module, which programs in C++ and Python use too.")
+
 set(CPACK_DEBIAN_DEV_PACKAGE_NAME libhogelscope-dev)
 set(CPACK_DEBIAN_DEV_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_DEV_PACKAGE_SHLIBDEPS OFF)
-string(CONCAT CPACK_DEBIAN_DEV_PACKAGE_DEPENDS "${same_version}, libhdf5-dev, libopencv-dev, "
+string(CONCAT CPACK_DEBIAN_DEV_PACKAGE_DEPENDS "${same_program}, ${same_window}, libhdf5-dev, libopencv-dev, "
  "libopenexr-dev, libopenimageio-dev, libspng-dev, libtbb-dev, libvtk9-dev, libxxhash-dev, libyaml-dev, libzstd-dev, "
  "nlohmann-json3-dev, openimageio-tools, pkgconf")
 set(CPACK_DEBIAN_DEV_DESCRIPTION "simulated viewing of light field displays - development files
@@ -73,7 +93,7 @@ plugins.")
 set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-hogelscope)
 set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
 math(EXPR next_minor "${Python3_VERSION_MINOR} + 1")
-string(CONCAT CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "${same_version}, "
+string(CONCAT CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "${same_program}, ${same_window}, "
  "python3 (>= ${Python3_VERSION_MAJOR}.${Python3_VERSION_MINOR}), "
  "python3 (<< ${Python3_VERSION_MAJOR}.${next_minor}), python3-numpy")
 set(CPACK_DEBIAN_PYTHON_PACKAGE_RECOMMENDS "python3-vtk9")

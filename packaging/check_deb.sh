@@ -21,6 +21,7 @@ bare() {
     ${2:+"--include=$2"} "$suite" "$1" "$mirror"
   cp /etc/resolv.conf "$1/etc/resolv.conf" 2>/dev/null || true
 }
+fail() { echo "check_deb.sh: $suite: $*" >&2; exit 1; }
 # inside FOLDER COMMAND ...: as root there; what it mounts and starts goes away with it.
 inside() {
   at=$1
@@ -39,8 +40,7 @@ step() {
   begin=$(date +%s)
   "$@" >"$work/log" 2>&1 </dev/null || {
     cat "$work/log"
-    echo "check_deb.sh: $suite: $name failed" >&2
-    exit 1
+    fail "$name failed"
   }
   echo "$suite: $name: $(($(date +%s) - begin)) s"
 }
@@ -76,7 +76,7 @@ for package in "$packages"/*.deb; do dpkg-deb -x "$package" "$work/files"; done
 find "$work/files" -type f \( -path '*/bin/*' -o -name '*.so*' \) -print0 |
   xargs -0 hardening-check --nocfprotection --nofortify >"$work/hardening" || {
   cat "$work/hardening" >&2
-  exit 1
+  fail "the packages are not hardened"
 }
 root=$work/root
 step "another bare system" bare "$root"
@@ -91,7 +91,13 @@ apt() { step "apt-get $*" inside "$root" apt-get -y -qq --no-install-recommends 
 deb() { echo /debs/"$(basename "$root"/debs/"$1"_*.deb)"; }
 
 apt update
+# Jobs alone, then the window.
 apt install "$(deb hogelscope)"
+if inside "$root" dpkg-query -W -f='${Package}\n' | grep -E '^lib(vtk|qt6widgets)'; then
+  fail "the package hogelscope needs libraries of the window"
+fi
+inside "$root" hogelscope /usr/share/hogelscope/samples/table1.hogelscope 2>"$work/log" || true
+grep -q 'package hogelscope-window' "$work/log" || fail "without its package the window: $(cat "$work/log")"
 samples=/usr/share/hogelscope/samples
 render() { inside "$1" "$2" --render --quiet --session "$3" --output "$4"; }
 inside "$root" hogelscope --version
@@ -100,12 +106,16 @@ for sample in table1 room; do
   render "$built" /home/maker/hogelscope/build/release/bin/hogelscope \
     /home/maker/hogelscope/data/$sample.json /out/$sample
 done
-diff -r "$built/out" "$root/out"
+diff -r "$built/out" "$root/out" || fail "the pictures are not the build tree's"
 echo "$(find "$root/out" -type f | wc -l) pictures are equal to the build tree's"
 # Loads the codecs.
 inside "$root" hogelscope --render --quiet --session $samples/table1.hogelscope --states 'Fig 4' \
   --format tif --output /codecs
-inside "$root" hogelscope --plugins | grep '^mesh .*/usr/lib/.*hogelscope/plugins-2/mesh$'
+inside "$root" hogelscope --plugins | grep '^mesh .*/usr/lib/.*hogelscope/plugins-2/mesh$' ||
+  fail "the plugin mesh is not found"
+apt install "$(deb hogelscope-window)"
+inside "$root" hogelscope 2>"$work/log" || true
+grep -q 'no display server' "$work/log" || fail "the window: $(cat "$work/log")"
 
 apt install "$(deb python3-hogelscope)" python3-vtk9
 inside "$root" python3 /source/tests/install/vtk_view.py $samples/table1.hogelscope 'Fig 4' \
@@ -132,12 +142,13 @@ for scene in "$root"/source/tests/scenes/*.json; do
     "-DTOLERANCE=$tolerance" -P /source/tests/scenes/compare.cmake
 done
 
-apt purge hogelscope python3-hogelscope libhogelscope-dev
+apt purge hogelscope hogelscope-window python3-hogelscope libhogelscope-dev
 apt autoremove --purge
 listed >"$work/after"
 if comm -13 "$work/before" "$work/after" | grep -i hogel; then
-  echo "check_deb.sh: apt purge leaves these files" >&2
-  exit 1
+  fail "apt purge leaves these files"
 fi
-if inside "$root" dpkg-query -W -f='${Package}\n' | grep -i hogel; then exit 1; fi
+if inside "$root" dpkg-query -W -f='${Package}\n' | grep -i hogel; then
+  fail "apt purge leaves these packages"
+fi
 echo "All is installed, runs, and is gone after apt purge."

@@ -1,6 +1,6 @@
 #!/bin/sh
-# Builds the Debian packages hogelscope, libhogelscope-dev and python3-hogelscope into
-# build/release/packages.
+# Builds the Debian packages hogelscope, hogelscope-window, libhogelscope-dev and
+# python3-hogelscope into build/release/packages.
 set -eu
 here=$(dirname "$0")
 "$here/build.sh" hogelscope_installed

@@ -19,6 +19,9 @@ namespace fs = std::filesystem;
 [[noreturn]] void becomeWindow(char** argv) {
   const fs::path window = fs::read_symlink("/proc/self/exe").parent_path() / "hogelscope-window";
   ::execv(window.c_str(), argv);
+  if (errno == ENOENT)
+    throw hogelscope::InputError(window.string(), "is not installed",
+                                 "the package hogelscope-window has the window");
   throw hogelscope::InputError(window.string(), "cannot be started", std::strerror(errno));
 }
 

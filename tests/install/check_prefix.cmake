@@ -48,3 +48,18 @@ execute_process(COMMAND ${CMAKE_COMMAND} -E env --unset=DISPLAY --unset=WAYLAND_
 if(NOT status EQUAL 2 OR NOT error MATCHES "there is no display server")
   message(FATAL_ERROR "the installed program does not become the window's: ${status}, ${error}")
 endif()
+# Each package is an installation of its own: jobs need nothing of the window's.
+foreach(component program libraries)
+  run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${PREFIX}/jobs --component ${component})
+endforeach()
+file(GLOB_RECURSE files RELATIVE ${PREFIX}/jobs ${PREFIX}/jobs/*)
+if(files MATCHES "hogelscope-window|libhogelscope_vtk|share/(applications|icons|metainfo|mime)")
+  message(FATAL_ERROR "the package of jobs has the window's ${CMAKE_MATCH_0}")
+endif()
+run(${PREFIX}/jobs/bin/hogelscope --render --quiet --session ${PREFIX}/jobs/share/hogelscope/samples/table1.hogelscope
+  --states "Fig 4" --output ${PREFIX}/jobs/views)
+run(${CMAKE_COMMAND} -E compare_files "${PREFIX}/jobs/views/Fig 4.png" "${PREFIX}/built/Fig 4.png")
+execute_process(COMMAND ${PREFIX}/jobs/bin/hogelscope ${SOURCE}/data/table1.json ERROR_VARIABLE error RESULT_VARIABLE status)
+if(NOT status EQUAL 2 OR NOT error MATCHES "^hogelscope: [^\n]*/hogelscope-window: [^\n]*package hogelscope-window[^\n]*\n$")
+  message(FATAL_ERROR "without the window the program does not name its package: ${status}, ${error}")
+endif()
