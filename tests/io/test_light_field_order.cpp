@@ -3,6 +3,8 @@
 #include <QPainter>
 #include <QTemporaryDir>
 #include <QTest>
+#include <algorithm>
+#include <random>
 
 #include "io/documents/session_file.h"
 #include "io/opening/contrast.h"
@@ -158,6 +160,41 @@ class TestLightFieldOrder : public QObject {
     const LightFieldOrder mended = orderedSessionAround("v", {"display.directions=[1,12]"}).order;
     QVERIFY(mended.warnings.empty());
     QCOMPARE(mended.sureness, Sureness::sure);
+  }
+
+  /// "The views run column by column" is said of views that do, and of no others.
+  void numbersThatRunByColumns_data() {
+    QTest::addColumn<std::vector<int>>("cameras");  // of a grid of 4 × 4, or in one row, by number
+    QTest::addColumn<bool>("isOneRow");
+    QTest::addColumn<bool>("isSaid");
+    std::vector<int> byColumns(16), row(16);
+    for (int k = 0; k < 16; ++k) {
+      row[std::size_t(k)] = k;
+      byColumns[std::size_t(k)] = k % 4 * 4 + k / 4;
+    }
+    QTest::newRow("by columns") << byColumns << false << true;
+    QTest::newRow("one row, read as 4 × 4") << row << true << false;
+    // The first of a hundred shuffles whose motion is mostly up and down along the numbers.
+    std::mt19937 random(1);
+    for (int k = 0; k <= 30; ++k) std::ranges::shuffle(row, random);
+    QTest::newRow("shuffled") << row << false << false;
+  }
+
+  void numbersThatRunByColumns() {
+    QFETCH(const std::vector<int>, cameras);
+    QFETCH(const bool, isOneRow);
+    QFETCH(const bool, isSaid);
+    const GreyGrid grid = gridOf(randomScene(7, 0.5, 3), isOneRow ? 1 : 4, isOneRow ? 16 : 4);
+    for (int k = 0; k < 16; ++k) {
+      const int camera = cameras[std::size_t(k)];
+      writeGreyPicture(QString("v/view%1.png").arg(k + 1, 2, 10, QChar('0')),
+                       isOneRow ? grid.view(0, camera) : grid.view(camera / 4, camera % 4));
+    }
+    const LightFieldOrder order = findLightFieldOrder(viewsIn("v"), {});
+    std::string all = order.reason;
+    for (const std::string& warning : order.warnings) all += "\n" + warning;
+    QVERIFY2((all.find("column by column") != std::string::npos) == isSaid, all.c_str());
+    QCOMPARE(order.sureness, Sureness::unknown);
   }
 
   /// x and y are exchanged, which the pictures tell.

@@ -233,13 +233,17 @@ double amountOf(std::vector<double> values) {
 }
 
 /// Whether content moves up or down along the files' columns and sideways along their rows; none if
-/// neither way is clearly stronger.
+/// neither way is clearly stronger. One row of views that is read as several moves sideways along
+/// both, further along the rows, which is neither.
 std::optional<bool> isTransposed(const std::vector<std::vector<PlaceMotion>>& places) {
   constexpr double clearly = 2;
-  const double straight = amountOf(all(places, columnsX)) + amountOf(all(places, rowsY));
-  const double across = amountOf(all(places, columnsY)) + amountOf(all(places, rowsX));
+  const auto amount = [&](const Component& component) { return amountOf(all(places, component)); };
+  const double straight = amount(columnsX) + amount(rowsY);
+  const double across = amount(columnsY) + amount(rowsX);
   if (straight > clearly * across) return false;
-  if (across > clearly * straight) return true;
+  const bool isAcrossInBoth =
+      amount(columnsY) >= amount(columnsX) && amount(rowsX) >= amount(rowsY);
+  if (across > clearly * straight && isAcrossInBoth) return true;
   return std::nullopt;
 }
 

@@ -82,8 +82,8 @@ class Judgement {
     const Order seen{measured.rows, measured.columns};
     if (measured.isInconsistent) {
       m_reason =
-          "neighbouring rows or columns of views contradict each other: is the grid of "
-          "another size, or taken to and fro?";
+          "rows or columns of views contradict their neighbours: try "
+          "lightField.scan=serpentine, or another display.directions";
     } else if (names && !(measured.isTransposed && measured.sureness != Sureness::unknown)) {
       withNames(*names, seen);
     } else if (measured.sureness != Sureness::unknown) {
@@ -204,7 +204,8 @@ class Finding {
  private:
   void sayViews() {
     LightFieldParams& found = m_result.found;
-    if (m_result.measured.isTransposed && !sayTransposed()) return;
+    const ViewOrder& measured = m_result.measured;
+    if (measured.isTransposed && !measured.isInconsistent && !sayTransposed()) return;
     if (found.incoming) {
       m_result.rows = reversed(m_result.rows);
       m_result.columns = reversed(m_result.columns);
