@@ -64,6 +64,11 @@ std::string FileHashes::of(const std::vector<fs::path>& files, const Progress& p
   return contentHash(lines);
 }
 
+void FileHashes::remove() {
+  std::error_code ignored;
+  fs::remove(m_cache, ignored);
+}
+
 /// Computes the hashes that neither this process nor another has.
 void FileHashes::complete(const std::vector<fs::path>& files,
                           const std::vector<std::string>& identities, const Progress& progress) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Hashes of files, each computed once for all processes that share an output folder.
+// Hashes of files, each computed once for all processes that share an output folder and for a run
+// that goes on after a stop.
 #pragma once
 
 #include <filesystem>
@@ -21,6 +22,10 @@ class FileHashes {
 
   /// Returns what contentHash() returns for these files. Throws InputError, Cancelled.
   std::string of(const std::vector<std::filesystem::path>& files, const Progress& progress);
+
+  /// Deletes the cache, after the results have been written: it names every input by its absolute
+  /// path, which whoever gets the results need not know.
+  void remove();
 
  private:
   /// Returns a file's current identity: a line of the cache without the hash.

@@ -4,6 +4,7 @@
 #include <QBuffer>
 #include <QImage>
 #include <QSvgGenerator>
+#include <QTemporaryDir>
 #include <cstdio>
 
 namespace hogelscope {
@@ -45,10 +46,15 @@ const ChartColours& printColours() {
 OffscreenPainting::OffscreenPainting() {
   if (QCoreApplication::instance() != nullptr) return;
   qputenv("QT_QPA_PLATFORM", "offscreen");
-  // Suppresses Qt's warning of a missing XDG_RUNTIME_DIR, which batch machines do not need.
+  // Without XDG_RUNTIME_DIR, which batch machines do not have, Qt makes a folder with a predictable
+  // name in /tmp and warns. It looks into it only here.
+  const QTemporaryDir folder;
+  const bool isMissing = qEnvironmentVariableIsEmpty("XDG_RUNTIME_DIR");
+  if (isMissing) qputenv("XDG_RUNTIME_DIR", folder.path().toLocal8Bit());
   const QtMessageHandler before = qInstallMessageHandler(onlyFatal);
   m_application.emplace(m_argc, m_argv);
   qInstallMessageHandler(before);
+  if (isMissing) qunsetenv("XDG_RUNTIME_DIR");
 }
 
 std::string pngOf(const Paint& paint, const QSize& size) {

@@ -232,9 +232,9 @@ void checkFigures(const SweepTable& table, const Session& session) {
                        numberOf(std::string_view(figure).substr(mtfPrefix.size())).has_value();
     if (isMtf || std::ranges::find(names, figure) != names.end()) continue;
     const std::string_view nearest = nearestName(figure, names);
-    std::string known;
+    std::string known = "mtf:Z (on the plane Z in metres)";
     for (const std::string_view name : names)
-      known += (known.empty() ? "" : ", ") + std::string(name);
+      if (!name.starts_with(mtfPrefix)) known += ", " + std::string(name);
     throw InputError(
         "figures",
         "\"" + figure + "\" is none of " + known +
@@ -341,6 +341,7 @@ Sweep sweep(const SweepRequest& request, const Progress& progress) {
   writeTextFile(request.output / "sweep.html", sweepPage(request, result.rows));
   writeTextFile(request.output / "sweep.csv", points);
   campaign.journal->remove();
+  FileHashes(request.output).remove();
   return result;
 }
 

@@ -292,6 +292,7 @@ void ReportRun::writeAll() {
   writeTextFile(m_folder / "report.html", html(page));
   writeTables(m_folder, m_report, m_request.metrics);
   m_rows.remove();
+  m_hashes.remove();
   for (std::size_t test = 0; test < m_projections.size(); ++test) {
     m_projections[test]->remove();
     std::error_code none;

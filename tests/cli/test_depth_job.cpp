@@ -37,6 +37,7 @@ class TestDepthJob : public QObject {
   void ofALiveScene();
   void ofViews();
   void ofTheEyes();
+  void leavesNothingElsewhere();
   void mistakes_data();
   void mistakes();
 
@@ -158,6 +159,23 @@ void TestDepthJob::ofTheEyes() {
   const QJsonObject wide = limitsOf({"--set", "pupil.diameter=0.008"});
   QVERIFY(isNear(wide["directionsPerPupil"].toDouble(), 2 * 0.9278843611976126, 1e-6));
   QCOMPARE(wide["mismatch"].toDouble(), 0.0);
+}
+
+/// Qt would make a folder in the place of temporary files where there is no XDG_RUNTIME_DIR.
+void TestDepthJob::leavesNothingElsewhere() {
+  QVERIFY(QDir().mkdir("tmp"));
+  QProcessEnvironment environment = withoutDisplay();
+  environment.remove("XDG_RUNTIME_DIR");
+  environment.insert("TMPDIR", m_folder->filePath("tmp"));
+  QProcess process;
+  process.setProcessEnvironment(environment);
+  process.setWorkingDirectory(m_folder->path());
+  process.start(HOGELSCOPE_PROGRAM,
+                {"--depth", "--session", room, "--states", "front", "--quiet", "--output", "out"});
+  const Outcome outcome = ended(process);
+  QCOMPARE(outcome.err, QByteArray());
+  QCOMPARE(outcome.status, 0);
+  QCOMPARE(namesIn("tmp"), QStringList());
 }
 
 void TestDepthJob::mistakes_data() {

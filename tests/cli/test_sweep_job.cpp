@@ -17,6 +17,7 @@ class TestSweepJob : public QObject {
   void init();
   void writesItsFiles();
   void comparesPictures();
+  void leavesNoHashes();
   void goesOnAndShares();
   void mistakes();
 
@@ -85,6 +86,26 @@ void TestSweepJob::comparesPictures() {
                .status,
            0);
   QVERIFY(std::abs(tableOf("r/report.csv")[1][5].toDouble() - rows[2][3].toDouble()) < 1e-9);
+}
+
+/// The hashes of its files, which have their paths, are for runs that go on.
+void TestSweepJob::leavesNoHashes() {
+  writeFile("f.json", text({.display = R"({"hogels": [8, 8], "directions": [8, 8]})",
+                            .lightField = R"({"file": "a.png"})",
+                            .cameras = R"([{"name": "a", "eye": [0, 0, 0.4], "res": [8, 8]}])"}));
+  writeFile("t.json", R"({"parameters": {"psf.sigma": [0.5, 1]}, "figures": ["psnr:design"]})");
+  const auto sweepOfFile = [this](const QStringList& more) {
+    return run(QStringList{"--sweep", "t.json", "--session", "f.json", "--output", "out"} + more,
+               m_folder->path());
+  };
+  QCOMPARE(
+      run({"--generate", "scene", "--session", "f.json", "--output", "a.png"}, m_folder->path())
+          .status,
+      0);
+  QCOMPARE(sweepOfFile({"--shard", "1/2"}).status, 0);
+  QVERIFY(contentOf("out/report.hashes").contains("a.png"));
+  QCOMPARE(sweepOfFile({}).status, 0);
+  QCOMPARE(namesIn("out"), (QStringList{"plots", "sweep.csv", "sweep.html"}));
 }
 
 void TestSweepJob::goesOnAndShares() {
