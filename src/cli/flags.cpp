@@ -202,8 +202,8 @@ FlagGroup comparison() {
         .value = "NAME=LF,LF,…",
         .jobs = {report},
         .mayRepeat = true,
-        .help = "Tests that make one rate-distortion curve, four or more. Each further group is "
-                "compared with the first: BD-rates and BD-qualities in DIR/bd.csv."},
+        .help = "Tests that make one rate-distortion curve, four or more. Every pair of groups is "
+                "compared: BD-rates and BD-qualities in DIR/bd.csv."},
        {.name = "rate",
         .value = "LF=BITS",
         .jobs = {report},

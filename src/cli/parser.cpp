@@ -127,15 +127,38 @@ void addOptions(const std::vector<Given>& all, CommandLine& line) {
   for (const Flag& flag : allFlags()) refuseMissing(flag, line);
 }
 
+/// Quotes a word for a shell, if necessary.
+std::string quoted(const std::string& word) {
+  constexpr const char* plain =
+      "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+=:,./@%";
+  if (!word.empty() && word.find_first_not_of(plain) == std::string::npos) return word;
+  std::string text = "'";
+  for (const char c : word) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return text + "'";
+}
+
+/// Returns what is wrong with a word that no option has.
+std::string looseWordText(const std::vector<Given>& all, const std::string& word, Command command) {
+  const std::string job = dashed(jobOf(command).name);
+  const auto isSession = [](const Given& given) { return given.name == "session"; };
+  const bool isNeeded = std::ranges::any_of(allFlags(), [&](const Flag& flag) {
+    return flag.name == "session" && isOneOf(flag.neededBy, command);
+  });
+  const std::string help = "see --help " + job.substr(2);
+  if (!isNeeded || std::ranges::any_of(all, isSession))
+    return "unexpected argument of " + job + "; " + help;
+  return "is no option: " + job + " reads it if you give --session " + quoted(word) + "; " + help;
+}
+
 /// Assigns words without an option: files for the window, the topic for --help; jobs accept none.
-void addLooseWords(std::vector<std::string> words, CommandLine& line) {
+void addLooseWords(const std::vector<Given>& all, std::vector<std::string> words,
+                   CommandLine& line) {
   if (line.command == Command::window) {
     line.files = std::move(words);
   } else if (line.command == Command::help && line.subject.empty() && words.size() == 1) {
     line.subject = words.front();
   } else if (!words.empty()) {
-    const std::string job(jobOf(line.command).name);
-    throw InputError(words.front(), "unexpected argument of --" + job + "; see --help " + job);
+    throw InputError(words.front(), looseWordText(all, words.front(), line.command));
   }
 }
 
@@ -175,16 +198,6 @@ void sortOverrides(const std::vector<Given>& all, CommandLine& line) {
   }
 }
 
-/// Quotes a word for a shell, if necessary.
-std::string quoted(const std::string& word) {
-  constexpr const char* plain =
-      "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+=:,./@%";
-  if (!word.empty() && word.find_first_not_of(plain) == std::string::npos) return word;
-  std::string text = "'";
-  for (const char c : word) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return text + "'";
-}
-
 /// Returns the program with its arguments, quoted for a shell.
 std::string shellText(const std::vector<std::string>& arguments) {
   std::string text = "hogelscope";
@@ -205,7 +218,7 @@ CommandLine parseCommandLine(const std::vector<std::string>& arguments) {
     else
       words.push_back(*at);
   chooseJob(all, line);
-  addLooseWords(std::move(words), line);
+  addLooseWords(all, std::move(words), line);
   if (line.command == Command::help) return line;
   refuseRepeated(all);
   addOptions(all, line);

@@ -171,6 +171,10 @@ void TestCommandLine::mistakes_data() {
       "--generate: is a second job beside --info; give one of them");
   row("a file alone", render + QStringList{"more.json"},
       "more.json: unexpected argument of --render; see --help render");
+  row("a file in place of --session", {"--render", "data/table 1.json", "--output", "out"},
+      "data/table 1.json: is no option: --render reads it if you give --session 'data/table "
+      "1.json'; "
+      "see --help render");
   row("two files for --info", {"--info", "a.png", "b.png"},
       "b.png: unexpected argument of --info; see --help info");
   row("two topics", {"--help", "render", "report"},
@@ -419,20 +423,21 @@ void TestCommandLine::infoOfALensSheet() {
   QCOMPARE(outcome.err, QByteArray());
   QCOMPARE(
       outcome.out,
-      QByteArray(R"(lens sheet  unit\x1b7)"
-                 "\n"
-                 "panel       3840×2160 px of 0.1000 mm, 0.3840×0.2160 m\n"
-                 "sub-pixels  upright stripes of red, green, blue\n"
-                 "lenses      745.62 across, 0.5150 mm (5.150 px) apart along a row, 9.462° from "
-                 "upright, the top to the right\n"
-                 "cone        40°: 0.728 m wide at 1 m; taken for the lenses', whose pixels "
-                 "are then 0.7075 mm of air behind them\n"
-                 "seen        at 0.6 m: the views begin again every 0.437 m, between the eyes (63 "
-                 "mm) of 14.4 % of heads\n"
-                 "views       of 48: 109.9 pass in a metre, 1.00 (rms) mix in one place\n"
-                 "sharp       with 48 views 9.3 mm in front and 9.5 mm behind, with any number 9.6 "
-                 "mm in front and 9.9 mm behind\n"
-                 "warning     invView is 0, which is ignored: views go from left to right\n"));
+      QByteArray(
+          R"(lens sheet  unit\x1b7)"
+          "\n"
+          "panel       3840×2160 px of 0.1000 mm, 0.3840×0.2160 m\n"
+          "sub-pixels  upright stripes of red, green, blue\n"
+          "lenses      745.62 across, 0.5150 mm (5.150 px) apart along a row, 9.462° from "
+          "upright, the top to the right\n"
+          "cone        40°: 0.728 m wide at 1 m; taken for the lenses', whose pixels "
+          "are then 0.7075 mm of air behind them\n"
+          "seen        at 0.6 m: views repeat every 0.437 m; 14.4 % of head positions have the "
+          "flip between their eyes (63 mm apart)\n"
+          "views       of 48: 109.9 pass in a metre, 1.00 (rms) mix in one place\n"
+          "sharp       with 48 views 9.3 mm in front and 9.5 mm behind, with any number 9.6 "
+          "mm in front and 9.9 mm behind\n"
+          "warning     invView is 0, which is ignored: views go from left to right\n"));
   QCOMPARE(run({"--info", "visual.json", "--json"}, m_folder->path()).err,
            QByteArray("hogelscope: command line: --json: is for a light field, not for a lens "
                       "sheet's calibration\n"));

@@ -222,6 +222,7 @@ void TestOptionTable::helpSaysWhoseOptionsAre() {
   QVERIFY(help.contains(
       "--fail-below DB --report: exit status 1 if any PSNR over the pixels seen is below."));
   QVERIFY(help.contains("--format png|exr|tif --render: of the pictures: EXR holds"));
+  QVERIFY(help.contains("Every pair of groups is compared"));
   QVERIFY(help.contains("--quiet Prints nothing but errors. Not for --info, --plugins, --status."));
 }
 

@@ -258,6 +258,12 @@ void TestPackJob::refusals_data() {
                      "--set",    "display.hogels=[40,40]",
                      "--set",    "display.directions=[16,16]"}
       << QByteArray(".: cannot be written: it is there, and is not a file");
+  QTest::newRow("a name of another format")
+      << QStringList{"--pack",   "a.png",
+                     "--output", "y.png",
+                     "--set",    "display.hogels=[40,40]",
+                     "--set",    "display.directions=[16,16]"}
+      << QByteArray("--output y.png: is the name of a store, which is a TIFF: end it in .tif");
   QTest::newRow("onto itself")
       << QStringList{"--pack",   "a.png",
                      "--output", "./a.png",

@@ -215,13 +215,14 @@ void TestBadLightFields::twoFilesForOneView() {
 void TestBadLightFields::patterns_data() {
   refusalColumns();
   refused("fits no name", views("views", R"(, "pattern": "view_RR_CC")"),
-          "views: views: \"view_RR_CC\" fits no file name: 000_000.png and 3 more files are there; "
-          "mend "
-          "lightField.pattern");
-  refused(
-      "another extension", views("views", R"(, "pattern": "RRR_CCC.jpg")"),
-      "views: views: \"RRR_CCC.jpg\" fits no file name: 000_000.png and 3 more files are there; "
-      "mend lightField.pattern");
+          "views: views: \"view_RR_CC\" matches no file: 000_000.png and 3 more files are there; "
+          "correct lightField.pattern");
+  refused("a number after the last dot", views("views", R"(, "pattern": "render.RRR.CCC")"),
+          "views: views: \"render.RRR.CCC\" matches no file: 000_000.png and 3 more files are "
+          "there; what follows the last dot is the extension: write render.RRR.CCC.png");
+  refused("another extension", views("views", R"(, "pattern": "RRR_CCC.jpg")"),
+          "views: views: \"RRR_CCC.jpg\" matches no file: 000_000.png and 3 more files are there; "
+          "correct lightField.pattern");
   refused("without numbers", views("views", R"(, "pattern": "view")"),
           "lightField.pattern: \"view\" names neither one row (RR) and one column (CC) nor one "
           "running number (NNN) nor coordinates (x, y)");
@@ -235,8 +236,8 @@ void TestBadLightFields::patterns_data() {
           "s.json: lightField.pattern: \"a\\nb\" has a control character");
   refused(
       "% that fits no name", views("views/%03d_%03d.tif"),
-      "views: views: \"%03d_%03d.tif\" fits no file name: 000_000.png and 3 more files are there; "
-      "mend lightField.pattern");
+      "views: views: \"%03d_%03d.tif\" matches no file: 000_000.png and 3 more files are there; "
+      "correct lightField.pattern");
   refused("%s", views("views/%s.png"),
           "lightField.file: \"%s.png\": only %d and %02d stand for numbers");
   // TODO wording: lightField.file

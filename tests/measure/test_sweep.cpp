@@ -190,6 +190,9 @@ class TestSweep : public QObject {
     QTest::newRow("unknown figure")
         << R"({"parameters": {"psf.sigma": [1]}, "figures": ["depthOfFeild"]})"
         << "did you mean \"depthOfField\"?";
+    QTest::newRow("contrast without a plane")
+        << R"({"parameters": {"psf.sigma": [1]}, "figures": ["mtf"]})"
+        << "\"mtf\" is none of mtf:Z (on the plane Z in metres), psnr:ideal";
     QTest::newRow("psnr of what is not live")
         << R"({"parameters": {"psf.sigma": [1]}, "figures": ["psnr:ideal"]})"
         << "only a 3-D scene has an ideal view";

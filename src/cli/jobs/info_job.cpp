@@ -273,9 +273,10 @@ void printSheetNumbers(std::ostream& out, const SheetDisplay& display) {
            rounded(1000 * of.depthBehind, 1) + " mm behind";
   };
   const double ipd = DepthParams().ipd;
-  out << "seen        at " << numberText(distance) << " m: the views begin again every "
-      << rounded(numbers.width(), 3) << " m, between the eyes (" << numberText(1000 * ipd)
-      << " mm) of " << rounded(100 * numbers.pseudoscopic(ipd), 1) << " % of heads\n"
+  out << "seen        at " << numberText(distance) << " m: views repeat every "
+      << rounded(numbers.width(), 3) << " m; " << rounded(100 * numbers.pseudoscopic(ipd), 1)
+      << " % of head positions have the flip between their eyes (" << numberText(1000 * ipd)
+      << " mm apart)\n"
       << "views       of " << views << ": " << rounded(numbers.viewsPerMetre, 1)
       << " pass in a metre, " << rounded(numbers.lobe, 2) << " (rms) mix in one place\n"
       << "sharp       with " << views << " views " << depths(views) << ", with any number "

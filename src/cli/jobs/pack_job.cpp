@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // --pack: converts a light field to a store.
+#include <filesystem>
 #include <iostream>
 
 #include "cli/inputs.h"
 #include "cli/jobs/all_jobs.h"
 #include "cli/terminal.h"
+#include "core/base/error.h"
 #include "core/base/text.h"
 #include "io/documents/session_file.h"
 #include "io/files/files_in_use.h"
@@ -17,6 +19,8 @@
 namespace hogelscope {
 
 namespace {
+
+namespace fs = std::filesystem;
 
 /// The light field to pack; the store does not contain a display that nobody specified.
 struct Content {
@@ -36,6 +40,14 @@ Content loadContent(const CommandLine& line) {
   return {sessionAroundSubject(line).session, false};
 }
 
+/// Throws InputError for the name of another format: a store is a TIFF, whatever its name says.
+void requireStoreName(const std::string& output) {
+  const std::string extension = lowerCase(fs::path(output).extension().string());
+  if (extension != ".tif" && extension != ".tiff" && !isFolder(output))
+    throw InputError("--output " + output,
+                     "is the name of a store, which is a TIFF: end it in .tif");
+}
+
 std::string shapeText(const StoreHeader& header) {
   const auto& [size, type, block, overview, source, display] = header;
   return pairText(size.nx, size.ny) + " hogels of " + pairText(size.du, size.dv) +
@@ -51,6 +63,7 @@ int packContent(const Session& session, bool isDisplayGiven, const CommandLine& 
   const auto file = openLightField(session.lightField, session.display);
   const FilesInUse inUse(filesOf(session, *file));
   checkResults(line, {output});
+  requireStoreName(output);
   const std::size_t memory = allowedMemory() / (file->isStream() ? 1 : 2);  // half for the reader
   const PackPlan plan =
       planPack(session.lightField, *file,

@@ -257,6 +257,17 @@ fs::path firstComponentsOf(const fs::path& folder) {
   return folder / "0";
 }
 
+/// Returns what to change in a pattern that matches no file. "render.R.C" looks as if it had an
+/// extension.
+std::string adviceFor(const std::string& pattern, const std::vector<fs::path>& files) {
+  const std::string extension = fs::path(pattern).extension().string();
+  if (files.empty() || extension.empty() ||
+      extension.find_first_not_of("RCN*", 1) != std::string::npos)
+    return "correct lightField.pattern";
+  return "what follows the last dot is the extension: write " + pattern +
+         files.front().extension().string();
+}
+
 ViewFiles findByPattern(const LightFieldParams& params, const NamePattern& pattern,
                         GridSource source) {
   std::vector<fs::path> files = candidatesIn(source.folder, params);
@@ -267,8 +278,8 @@ ViewFiles findByPattern(const LightFieldParams& params, const NamePattern& patte
   }
   if (views.empty())
     throw InputError(source.folder.string(), "views",
-                     "\"" + pattern.text + "\" fits no file name: " + thereText(files) +
-                         "; mend lightField.pattern");
+                     "\"" + pattern.text + "\" matches no file: " + thereText(files) + "; " +
+                         adviceFor(pattern.text, files));
   source.pattern = pattern.text;
   ViewFiles grid = gridOf(views, source);
   nameOthers(grid, files);
