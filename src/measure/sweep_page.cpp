@@ -221,7 +221,7 @@ std::string sweepPage(const SweepRequest& request, const std::vector<SweepRow>& 
       (request.table.sampling == SweepSampling::grid ? " designs of a grid"
                                                      : " designs of a Latin hypercube");
   if (!request.table.pareto.empty())
-    body += "; no other design beats " + std::to_string(best) + " of them, drawn in red";
+    body += "; " + std::to_string(best) + " (red) are on the Pareto front";
   if (!request.table.pass.empty()) body += ". " + escaped(yieldText(request.table, rows));
   return pageOf("Hogelscope sweep: " + request.name,
                 body +

@@ -73,9 +73,9 @@ std::vector<std::string> harmlessMoves(const std::vector<TestSummary>& summaries
     const double moved = values[rms];
     const double rest = values[indexOf(meanRest)];
     if (moved > 0.01 && rest < 0.1 * moved)
-      notes.push_back(summaries[test].test + ": its rays move by " + rounded(moved, 3) +
-                      " pixels, but alike: from a place aside the eye has the designed view (" +
-                      rounded(rest, 3) + " pixels remain). Its PSNR is no loss of quality");
+      notes.push_back(summaries[test].test + ": all its rays are shifted equally by " +
+                      rounded(moved, 3) + " px, as if the eye had moved (" + rounded(rest, 3) +
+                      " px remain): its PSNR is no loss of quality");
   }
   return notes;
 }

@@ -197,7 +197,8 @@ void describe(ParameterVisitor& v, CameraSetParams& p) {
       "keepTemplate", keepTemplate,
       "Leaves that state in the session, where it also counts in reports; false: takes it out.");
   v.field("place", place, {1e-6, 1e3, 0.001}, "m",
-          "Trace: samples in the same cube of this side are one state, which weighs as many.");
+          "Trace: samples within a cube of this side become one state, whose weight is their "
+          "number.");
 }
 
 void describe(ParameterVisitor& v, TraceParams& p) {

@@ -17,15 +17,17 @@ void describe(ParameterVisitor& v, LensArrayErrors& p) {
   v.field("rotation", rotation, {-45, 45, 0.01, false, -0.5, 0.5}, "°",
           "How far it is turned about the panel's middle, counter-clockwise for the viewer.");
   v.field("pitchError", pitchError, {-0.5, 1, 1e-5, false, -0.01, 0.01}, "",
-          "By which part its lenses stand too far apart, across and down.");
+          "Relative error of the pitch of its lenses, across and down; 0.01: 1 % too wide.");
   v.field(
       "gapError", gapError, smallPart, "",
-      "By which part the gap between pixels and lenses is too large: depth is stretched by it.");
+      "Relative error of the gap between pixels and lenses; 0.01: 1 % too large, which stretches "
+      "depth.");
   v.field("wedge", wedge, smallPart, "",
           "Gap error that grows from side to side: its difference from left to right, and from "
           "bottom to top.");
-  v.field("focalError", focalError, smallPart, "",
-          "By which part the focal length is too large: the lenses are out of focus.");
+  v.field(
+      "focalError", focalError, smallPart, "",
+      "Relative error of the focal length; 0.01: 1 % too long, so the lenses are out of focus.");
   v.field("outside", outside, outsideNames,
           "Light for which the hogel has no pixel: none, or that of the neighbour's pixel, as side "
           "lobes have it.");
@@ -35,7 +37,7 @@ void describe(ParameterVisitor& v, ColourErrors& p) {
   auto& [scale, wavelengths] = p;
   v.group("twin.colour", "How the colours of this unit differ.");
   v.field("scale", scale, {-0.5, 0.5, 0.001, false, -0.05, 0.05}, "",
-          "By which part red, green and blue are turned less: their direction's index is larger.");
+          "Relative error of the slopes of red, green and blue; 0.01: 1 % smaller.");
   v.field("wavelengths", wavelengths, {0, 1e-5, 1e-9, false, 0, 1e-6}, "m",
           "Of red, green and blue, for diffraction at the hogel's square lens; 0: none.");
 }
