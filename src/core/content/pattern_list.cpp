@@ -49,7 +49,7 @@ void describe(ParameterVisitor& v, PatternParams& p) {
           "checkerboard, edge: distance of their plane in front of the panel; behind it below 0.");
   v.field("period", period, {1e-6, 10, 0.01}, "m",
           "checkerboard: side of two squares; spheres: of two squares of their planes.");
-  v.field("angle", angle, {-89, 89, 1}, "°", "edge: its turn from the vertical, to the left.");
+  v.field("angle", angle, {-89, 89, 1}, "°", "edge: angle from the vertical, to the left.");
 }
 
 CodePattern::CodePattern(const PanelParams& display, Kind kind)

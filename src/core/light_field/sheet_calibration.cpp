@@ -15,7 +15,7 @@ void describe(ParameterVisitor& v, SheetParams& p) {
   v.field("slope", slope, {-1e6, 1e6, 0.1}, "",
           "A lens goes up by −slope for each unit to the right; not 0.");
   v.field("center", center, {-1e6, 1e6, 0.01}, "",
-          "Which part of a lens's period the panel's middle is at.");
+          "Phase of the lenses at the panel's middle, as a part of their period.");
   v.field("dpi", dpi, {1e-3, 1e6, 1}, "1/in", "Pixels for each inch of the panel.");
   v.field("panel", panel, {1, 65536, 1}, "px", "Columns and rows of the panel's pixels.");
   v.field("cone", cone, {0.01, 179.9, 1}, "°",

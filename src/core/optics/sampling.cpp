@@ -19,7 +19,7 @@ void describe(ParameterVisitor& v, SamplingParams& p) {
   v.field({"samplesPerPixel", "Rays a pixel, n × n"}, samplesPerPixel, {1, 64, 1, false, 1, 8}, "",
           "n takes n×n rays in each pixel; rays that see nothing count as black.");
   v.field("tolerance", tolerance, {0, 100, 0.1, false, 0, 10}, "code values",
-          "RMS error up to which a cheaper way to the picture is taken; 0: none.");
+          "RMS error that a cheaper method may have; 0: no other method is used.");
 }
 
 std::vector<RaySample> samplesOf(int n, std::size_t points) {

@@ -28,17 +28,18 @@ void describe(ParameterVisitor& v, DisplayParams& p) {
   if (sheet) {
     describe(v, *sheet);
     v.count(hogels[0] > 0);
-    v.field({"hogels", "View size"}, hogels, {1, 65536, 1, true, 1, 1024}, "px",
-            "Columns and rows of a live scene's views; files say it.");
+    v.field(
+        {"hogels", "View size"}, hogels, {1, 65536, 1, true, 1, 1024}, "px",
+        "Columns and rows of a live scene's views; otherwise the light field's file gives them.");
     v.field({"directions", "Views"}, directions, {1, 65536, 1, true, 1, 128}, "",
             "The number of a live scene's views, and 1.");
     return v.count(true);
   }
   v.field("size", size, {1e-6, 1e6, 0.01}, "m", "Width and height of the panel.");
   v.field("hogels", hogels, {1, 65536, 1, true, 1, 512}, "",
-          "Columns and rows of hogels; may be left out where the light field's file says it.");
+          "Columns and rows of hogels; may be left out if the light field's file gives them.");
   v.field("directions", directions, {1, 65536, 1, true, 1, 256}, "px",
-          "Directional pixels of a hogel, across and down; may be left out likewise.");
+          "Directional pixels of a hogel, across and down; may be left out as well.");
   v.field({"fov", "Field of view"}, fov, {0.01, 179.9, 1}, "°",
           "Full angles into which a hogel sends light, across and down.");
   v.field({"lens", "Hogel lens"}, lens, hogelLensNames(),

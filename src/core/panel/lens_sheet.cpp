@@ -16,8 +16,7 @@ void describe(ParameterVisitor& v, SheetDisplay& p) {
   v.field("emitter", emitter, {0.01, 1, 0.01}, "px",
           "Width and height of a sub-pixel that gives light; only the width has an effect.");
   v.field("spot", spot, {0, 1e-3, 1e-5}, "m",
-          "How far beside its place on the panel a lens takes light, along a row: the standard "
-          "deviation; 0: none.");
+          "Blur of the lenses: the standard deviation on the panel along a row; 0: none.");
 }
 
 std::vector<double> spotWeights(double sigma) {

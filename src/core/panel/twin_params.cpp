@@ -58,9 +58,9 @@ void describe(ParameterVisitor& v, LightErrors& p) {
   v.field("falloff", falloff, {0, 16, 0.1, false, 0, 4}, "",
           "n: light falls with cosⁿ of the angle of its direction.");
   v.field("bits", bits, {0, 16, 1, false, 0, 10}, "bit",
-          "Of the panel's code values; 0: those of the light field.");
+          "Bits of the panel's code values; 0: as many as the light field has.");
   v.field({"eotf", "Transfer function"}, eotf, eotfNames,
-          "From the panel's code values to light; pictures stay sRGB.");
+          "How light follows from the panel's code values; pictures stay sRGB.");
   v.field("fill", fill, {0.01, 1, 0.01}, "",
           "The part of a directional pixel that sends light, across and down; the rest is the "
           "black matrix.");
@@ -68,7 +68,8 @@ void describe(ParameterVisitor& v, LightErrors& p) {
 
 void describe(ParameterVisitor& v, TwinRandom& p) {
   v.group("twin.random", "Errors of single hogels that are drawn.");
-  v.field("seed", p.seed, {0, 2147483647, 1}, "", "Of the draws: the same seed, the same unit.");
+  v.field("seed", p.seed, {0, 2147483647, 1}, "",
+          "Of the random numbers: the same seed gives the same unit.");
 }
 
 void describe(ParameterVisitor& v, TwinMapFiles& p) {
