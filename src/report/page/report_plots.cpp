@@ -418,7 +418,7 @@ std::vector<Figure> panelFigures(const ReportPanel& panel, std::size_t test,
   const CellPlot views =
       ofDirections("Error of the light field's views", {0, panel.viewScale}, "MSE");
   const CellPlot ranks =
-      ofDirections("Rank by perceived error − rank by view error", {-1, 1}, "share of ranks");
+      ofDirections("Rank by perceived error − rank by view error", {-1, 1}, "share");
   figures.push_back({name + "views", views.title, "", svgOf(views, panel.views), panel.viewCells});
   figures.push_back({name + "ranks", ranks.title, "", svgOf(ranks, panel.ranks), panel.viewCells});
   return figures;
