@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Metrics and BD-rates for Python.
-#include <pybind11/numpy.h>
 #include <pybind11/stl.h>
 
 #include <optional>
@@ -11,6 +10,7 @@
 #include "core/metrics/bd_rate.h"
 #include "io/plugins/metric_plugins.h"
 #include "python/bindings.h"
+#include "python/pictures.h"
 #include "python/stoppable.h"
 
 namespace hogelscope {
@@ -19,23 +19,12 @@ namespace py = pybind11;
 
 namespace {
 
-using Bytes = py::array_t<std::uint8_t, py::array::c_style>;
-using Floats = py::array_t<float, py::array::c_style>;
-using Words = py::array_t<std::uint16_t, py::array::c_style>;
-
 /// Copies an image (h, w, 3) of uint8 or uint16 and a mask (h, w) of 0 and 1.
 Image imageOf(const py::array& picture, const Bytes& seen, const std::optional<Floats>& unrounded) {
+  checkPicture(picture);
   const bool isDeep = py::isinstance<Words>(picture);
-  if ((!isDeep && !py::isinstance<Bytes>(picture)) || picture.ndim() != 3 || picture.shape(2) != 3)
-    throw InputError("picture", "is " + py::str(picture.attr("shape")).cast<std::string>() +
-                                    " of " + py::str(picture.dtype()).cast<std::string>() +
-                                    "; pictures are (height, width, 3) of uint8 or uint16");
   if (seen.ndim() != 2 || seen.shape(0) != picture.shape(0) || seen.shape(1) != picture.shape(1))
     throw InputError("seen", "has not the picture's height and width");
-  constexpr py::ssize_t most = 1000000;
-  if (picture.size() == 0 || picture.shape(0) > most || picture.shape(1) > most)
-    throw InputError("picture", "is " + py::str(picture.attr("shape")).cast<std::string>() +
-                                    "; sizes are 1 to 1000000");
   Image image(int(picture.shape(1)), int(picture.shape(0)), isDeep ? 16 : 8);
   if (isDeep) {
     const auto* const values = static_cast<const std::uint16_t*>(picture.data());
@@ -55,16 +44,17 @@ Image imageOf(const py::array& picture, const Bytes& seen, const std::optional<F
 
 using Parts = std::tuple<py::array, Bytes, std::optional<Floats>>;
 
-py::dict compare(const Parts& reference, const Parts& test,
-                 const std::vector<std::string>& metrics) {
+py::dict compare(const Parts& reference, const Parts& test, const std::vector<std::string>& metrics,
+                 double pixelsPerDegree, double distance, const std::string& state) {
   const Image a = std::apply(imageOf, reference);
   const Image b = std::apply(imageOf, test);
   if (a.width != b.width || a.height != b.height)
     throw InputError("test", "is " + pairText(b.width, b.height) + " px, but the reference is " +
                                  pairText(a.width, a.height));
   const MetricSet set = metricsOf(metrics);
-  const std::vector<double> values = stoppable(
-      py::none(), [&](const Progress& hear) { return set.compare(a, b, parallelRows, hear); });
+  const std::vector<double> values = stoppable(py::none(), [&](const Progress& hear) {
+    return set.compare(a, b, parallelRows, hear, {pixelsPerDegree, distance, state});
+  });
   py::dict result;
   for (std::size_t k = 0; k < values.size(); ++k)
     result[py::str(set.columns()[k].name)] = values[k];
@@ -94,6 +84,7 @@ py::dict bdRate(const std::vector<std::pair<double, double>>& anchor,
 
 void addFigures(py::module_& module) {
   module.def("compare", &compare, py::arg("reference"), py::arg("test"), py::arg("metrics"),
+             py::arg("pixels_per_degree"), py::arg("distance"), py::arg("state"),
              "Metrics of two pictures: (picture, seen, values or None) each.");
   module.def("bd_rate", &bdRate, py::arg("anchor"), py::arg("test"),
              "Bjøntegaard's deltas of two lists of (rate, quality).");

@@ -11,6 +11,7 @@
 #include "python/array_light_field.h"
 #include "python/bindings.h"
 #include "python/content.h"
+#include "python/pictures.h"
 #include "python/stoppable.h"
 
 namespace hogelscope {
@@ -22,10 +23,6 @@ namespace {
 constexpr const char* wantedShape =
     "views in rows and columns are (dv, du, ny, nx, 3): rows of views from the top, columns from "
     "the left, then the pixels of a view";
-
-std::string shapeText(const py::array& array) {
-  return py::str(array.attr("shape")).cast<std::string>();
-}
 
 StoredType typeOf(const py::array& array) {
   if (py::isinstance<py::array_t<std::uint8_t>>(array)) return StoredType::uint8;
@@ -58,7 +55,23 @@ std::shared_ptr<const void> ownerOf(const py::object& object) {
           }};
 }
 
-std::shared_ptr<Content> fromArray(const py::array& array, const py::object& progress) {
+/// Returns what numpy makes of lists and of objects that are arrays to it, such as xarray's.
+py::array arrayOf(const py::object& value) {
+  if (py::isinstance<py::array>(value)) return value;
+  if (!py::isinstance<py::list>(value) && !py::isinstance<py::tuple>(value) &&
+      !py::hasattr(value, "__array__"))
+    throw py::type_error("a light field is made of a numpy array, not of " +
+                         py::type::of(value).attr("__name__").cast<std::string>());
+  try {
+    return py::module_::import("numpy").attr("asarray")(value);
+  } catch (py::error_already_set& error) {
+    if (!error.matches(PyExc_ValueError)) throw;
+    throw InputError("array", "shape", std::string("is that of no array; ") + wantedShape);
+  }
+}
+
+std::shared_ptr<Content> fromArray(const py::object& value, const py::object& progress) {
+  const py::array array = arrayOf(value);
   ViewArray views{sizeOf(array),
                   typeOf(array),
                   static_cast<const std::byte*>(array.data()),
@@ -110,7 +123,6 @@ py::array toArray(Content& content, const py::object& progress) {
   py::array result(dtypeOf(content.file()->type()), shapeOf(content));
   void* const data = result.mutable_data();
   runStoppable(progress, [&](const Progress& hear) {
-    const auto lock = lockFor(content.mutex(), hear);
     content.file()->stream(
         [&](int j, int v, const StoredRows& row) {
           std::visit(
@@ -148,7 +160,8 @@ void addLightFields(py::module_& module) {
       "the top, du columns from the left, each view ny by nx pixels of R, G, B. dtype uint8,\n"
       "uint16 (65535 is white) or float32 (1.0 is white). View [v, u], pixel [y, x] is the light\n"
       "that hogel (x, y) sends into direction (u, v). Any strides will do, numpy.memmap too.\n"
-      "Arrays above 100 MB are not copied; do not change them while the LightField is used.\n\n"
+      "Arrays above 100 MB are not copied; do not change them while the LightField is used.\n"
+      "Lists, and what numpy.asarray makes an array of, will do, too.\n\n"
       "hogelscope.open() opens files. Raises InputError.")
       .def(py::init(&fromArray), py::arg("array"), py::kw_only(), py::arg("progress") = py::none())
       .def_property_readonly(

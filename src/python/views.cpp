@@ -10,11 +10,13 @@
 #include "core/cameras/focus_stack.h"
 #include "core/engine/renderer.h"
 #include "core/optics/eyes.h"
+#include "core/optics/viewing.h"
 #include "io/files/files_in_use.h"
 #include "io/images/image_writer.h"
 #include "io/scene/view_source.h"
 #include "python/bindings.h"
 #include "python/content.h"
+#include "python/pictures.h"
 #include "python/stoppable.h"
 
 namespace hogelscope {
@@ -29,6 +31,7 @@ struct RenderedView {
   std::optional<double> focus;  ///< of a focus stack, metres
   Image image;
   std::optional<std::vector<float>> values;
+  Viewing viewing;
 };
 
 struct RenderedViews {
@@ -88,17 +91,22 @@ void expand(Session& session, const PanelParams& display, const RenderRequest& r
 RenderedView renderOne(Renderer& renderer, const StateImages& images, std::size_t state,
                        bool isStack, const Progress& progress) {
   const RenderJob job = images.job(state);
-  const std::string& name = job.state.camera.name;
-  const std::optional<double> focus = isStack ? std::optional(job.state.pupil.focus) : std::nullopt;
+  RenderedView view{job.state.camera.name, {}, {}, {}, {}};
+  if (isStack) view.focus = job.state.pupil.focus;
   try {
-    if (images.areStreamed()) return {name, focus, images.render(state, renderer, progress), {}};
+    view.viewing = viewingOf(job.state, job.display, job.sampling.mapping);
+    if (images.areStreamed()) {
+      view.image = images.render(state, renderer, progress);
+      return view;
+    }
     FloatImage values = images.renderFloat(state, renderer, progress);
     // With a tolerance, the reduced image is rounded before it is enlarged.
-    Image image =
+    view.image =
         job.sampling.tolerance > 0 ? images.render(state, renderer, progress) : rounded(values);
-    return {name, focus, std::move(image), std::move(values.rgb)};
+    view.values = std::move(values.rgb);
+    return view;
   } catch (const InputError& error) {
-    throw InputError(name, error.what());
+    throw InputError(view.state, error.what());
   }
 }
 
@@ -109,7 +117,6 @@ RenderedViews SessionViews::render(const RenderRequest& request, const Progress&
   if (request.isIdeal) requireLive(session);
   const std::shared_ptr<Content> content =
       isOwn ? ownOf(session, part(progress, 0, 0.1)) : request.light;
-  const auto contentLock = lockFor(content->mutex(), progress);
   LightFieldFile& file = *content->file();
   const PanelParams display = resolved(displayOf(session), file.size());
   expand(session, display, request);
@@ -168,7 +175,7 @@ py::tuple tupleOf(RenderedView view) {
       view.state, arrayOf(std::move(view.image.rgb), {height, width, 3}),
       seen.attr("view")(py::dtype::of<bool>()),
       view.values ? py::object(arrayOf(std::move(*view.values), {height, width, 3})) : py::none(),
-      view.focus);
+      view.focus, view.viewing.pixelsPerDegree, view.viewing.distance);
 }
 
 py::tuple render(SessionViews& views, const Document& document,
@@ -191,11 +198,11 @@ py::tuple render(SessionViews& views, const Document& document,
   return py::make_tuple(result, rendered.inputs);
 }
 
-using Bytes = py::array_t<std::uint8_t, py::array::c_style>;
-using Floats = py::array_t<float, py::array::c_style>;
-
-void write(const std::string& file, const Bytes& image, const std::optional<Floats>& values,
-           const std::vector<std::string>& inputs) {
+void write(const std::string& file, const py::array& picture,
+           const std::optional<py::array>& unrounded, const std::vector<std::string>& inputs) {
+  const Bytes image = bytesOf(picture);
+  const std::optional<Floats> values =
+      unrounded ? std::optional(valuesOf(*unrounded, picture)) : std::nullopt;
   const auto height = int(image.shape(0));
   const auto width = int(image.shape(1));
   const auto size = std::size_t(image.size());
@@ -210,7 +217,8 @@ void write(const std::string& file, const Bytes& image, const std::optional<Floa
   });
 }
 
-py::bytes png(const Bytes& image) {
+py::bytes png(const py::array& picture) {
+  const Bytes image = bytesOf(picture);
   const std::span rgb(image.data(), std::size_t(image.size()));
   return encodedPng(int(image.shape(1)), int(image.shape(0)), rgb);
 }
@@ -223,8 +231,8 @@ void addViews(py::module_& module) {
       .def("render", &render, py::arg("document"), py::arg("states"), py::arg("light_field"),
            py::arg("ideal"), py::arg("eye"), py::arg("focus_stack"), py::arg("threads"),
            py::arg("progress"),
-           "Renders states: (name, image, seen, values, focus) of each, and the files that were "
-           "read.");
+           "Renders states: (name, image, seen, values, focus, pixels per degree, distance) of "
+           "each, and the files that were read.");
   module.def("png", &png, py::arg("image"), "The bytes of a PNG of 8-bit RGB.");
   module.def("write", &write, py::arg("file"), py::arg("image"), py::arg("values"),
              py::arg("inputs"), "Writes 8-bit RGB, or values as EXR or TIFF, over no input.");

@@ -92,7 +92,7 @@ class Render(FolderTest):
         self.assertRefuses("is not a folder", hs.add_plugin_folder, self.path("none"))
 
     def test_what_metrics_are_told(self):
-        """Values before rounding where a view has them; not from where it was seen."""
+        """Values before rounding where a view has them, and from where it was seen."""
         build = os.path.dirname(os.path.dirname(os.environ["HOGELSCOPE_PROGRAM"]))
         with open(os.path.join(build, "plugins-2", "ms-ssim", "plugin.json")) as file:
             document = json.load(file)
@@ -108,9 +108,13 @@ class Render(FolderTest):
         told = hs.compare(v, v, metrics=["reference", "pixels"])
         self.assertAlmostEqual(told["reference"], v.values.mean(dtype=float), places=9)
         self.assertNotAlmostEqual(told["reference"], v.image.mean(), places=6)
-        self.assertTrue(math.isnan(told["pixels"]))
-        told = hs.compare(v.image, v.image, metrics=["reference"])
+        self.assertEqual(told["pixels"], v.pixels_per_degree)
+        told = hs.compare(v.image, v.image, metrics=["reference", "pixels"])
         self.assertAlmostEqual(told["reference"], v.image.mean(), places=9)
+        self.assertTrue(math.isnan(told["pixels"]))
+        for pair in ((v, v.image), (v.image, v)):
+            told = hs.compare(*pair, metrics="pixels")  # one name
+            self.assertEqual(told["pixels"], v.pixels_per_degree)
 
     def test_values_and_formats(self):
         s = hs.Session(TABLE1)
@@ -268,6 +272,40 @@ class Render(FolderTest):
         shown = pyplot.gcf().axes[0].images[0].get_array()
         self.assertSame(np.asarray(shown), view.image)
         pyplot.close("all")
+
+    def test_views_know_how_they_are_seen(self):
+        view = hs.Session(small_session()).render("middle", random_views())
+        focal = 20 / math.tan(math.radians(25))  # pixels, of 40 down 50 degrees
+        self.assertAlmostEqual(view.pixels_per_degree, math.radians(focal), 2)
+        self.assertAlmostEqual(view.distance, 0.6, 9)
+        bare = hs.View("", view.image, view.seen)
+        self.assertTrue(math.isnan(bare.pixels_per_degree) and math.isnan(bare.distance))
+
+    def test_changed_views_are_checked(self):
+        """Arrays that users changed are not read beyond their ends."""
+        view = hs.Session(small_session()).render("middle", random_views())
+        good, png, exr = view.image, self.path("a.png"), self.path("a.exr")
+        view.image = good // 2
+        view.save(png)
+        with open(png, "rb") as file:
+            self.assertEqual(view._repr_png_(), file.read())
+        for wrong in (good[..., 0], good[..., :2], good[0], good[:0], np.zeros((9000, 9000), np.uint8),
+                      good.astype(np.uint16), good / 255, None, "picture"):
+            view.image = wrong
+            self.assertRefuses("picture: is ", view._repr_png_)
+            self.assertRefuses("picture: is ", view.save, self.path("b.png"))
+        view.image, values = good[3:], view.values
+        self.assertRefuses("values: is ", view.save, exr)
+        for wrong in (values[:1, :1], values[..., 0], values.reshape(-1), values.astype(float),
+                      np.zeros((40, 60, 3, 1), np.float32)):
+            view.image, view.values = good, wrong
+            self.assertRefuses("values: is ", view.save, exr)
+        self.assertEqual(os.listdir(self.folder), ["a.png"])
+        view.image, view.values = good[::2], values[::2]
+        view.save(exr)
+        sizes = {"hogels": [1, 1], "directions": [60, 20]}
+        saved = hs.open(exr, "hogels", display=sizes).array()
+        self.assertSame(saved.reshape(20, 60, 3), values[::2] / np.float32(255))
 
     def test_bd_rate(self):
         anchor = [(1, 30), (2, 33), (4, 36), (8, 39)]

@@ -17,6 +17,14 @@ Path = Union[str, "os.PathLike[str]"]
 Progress = Callable[[float], object]
 
 
+class OwnMembers(type):
+    """Has help() and dir() list what a class adds to the list or dict that it is."""
+
+    def __dir__(cls) -> List[str]:
+        own = [base for base in cls.__mro__ if base.__module__ != "builtins"]
+        return sorted({name for base in own for name in vars(base)})
+
+
 def path_text(file: Path) -> str:
     """The name of a file, which has no NUL: the system would end the name there."""
     name = os.fspath(file)
@@ -125,11 +133,7 @@ def light_choice(light: Any) -> Any:
         return light
     if isinstance(light, (str, os.PathLike)):
         return path_text(light)
-    if isinstance(light, (list, tuple)) or hasattr(light, "__array__"):
-        return LightField(array_of(light))
-    raise TypeError(
-        f"a light field is a LightField, a numpy array or a file's name, not {type(light).__name__}"
-    )
+    return LightField(light)
 
 
 def info(

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import Any, Dict, Iterable, Optional, Sequence, Tuple, Union
 
 import numpy as np
@@ -25,21 +26,33 @@ def _parts(picture: Picture) -> _Parts:
     return np.ascontiguousarray(array), np.ones(array.shape[:2], np.uint8), None
 
 
-def compare(reference: Picture, test: Picture, *, metrics: Sequence[str] = ()) -> Dict[str, float]:
+def compare(
+    reference: Picture, test: Picture, *, metrics: Union[str, Sequence[str]] = ()
+) -> Dict[str, float]:
     """Return the figures of a report for two pictures.
 
     Args:
         reference, test: Views, or arrays (h, w, 3) of uint8 or uint16 of one size. Arrays count as
             seen everywhere, so the columns "…_seen" are for Views.
-        metrics: names of plugins whose figures are wanted, too. From where pictures are seen they
-            do not know; what needs that is NaN.
+        metrics: names of plugins whose figures are wanted, too, or one name. They know from where
+            a picture is seen by the View that is the reference, or else by that of the test; of
+            two arrays what needs that is NaN.
 
     Returns:
         {"mse": (code values of 0 to 255) squared, "psnr": dB, "psnr_yuv": dB, "ssim": 0 to 1, …};
         PSNRs of equal pictures are infinite, NaN where nothing is to be compared. Raises
         InputError.
     """
-    figures: Dict[str, Any] = _hogelscope.compare(_parts(reference), _parts(test), list(metrics))
+    names = [metrics] if isinstance(metrics, str) else list(metrics)
+    seen_as = next((one for one in (reference, test) if isinstance(one, View)), None)
+    viewing = (
+        (math.nan, math.nan, "")
+        if seen_as is None
+        else (seen_as.pixels_per_degree, seen_as.distance, seen_as.state)
+    )
+    figures: Dict[str, Any] = _hogelscope.compare(
+        _parts(reference), _parts(test), names, *viewing
+    )
     return figures
 
 

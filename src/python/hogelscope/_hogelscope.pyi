@@ -15,7 +15,7 @@ class Document:
 
 class LightField:
     def __init__(
-        self, array: np.ndarray, *, progress: Optional[Callable[[float], object]] = None
+        self, array: Any, *, progress: Optional[Callable[[float], object]] = None
     ) -> None: ...
     @property
     def shape(self) -> Tuple[int, int, int, int, int]: ...
@@ -40,7 +40,12 @@ class SessionViews:
         threads: int,
         progress: Optional[Callable[[float], object]],
     ) -> Tuple[
-        List[Tuple[str, np.ndarray, np.ndarray, Optional[np.ndarray], Optional[float]]], List[str]
+        List[
+            Tuple[
+                str, np.ndarray, np.ndarray, Optional[np.ndarray], Optional[float], float, float
+            ]
+        ],
+        List[str],
     ]: ...
 
 def add_plugin_folder(folder: str) -> None: ...
@@ -57,6 +62,9 @@ def compare(
     reference: Tuple[np.ndarray, np.ndarray, Optional[np.ndarray]],
     test: Tuple[np.ndarray, np.ndarray, Optional[np.ndarray]],
     metrics: Sequence[str],
+    pixels_per_degree: float,
+    distance: float,
+    state: str,
 ) -> Dict[str, float]: ...
 def depth(
     document: Document, threads: int, progress: Optional[Callable[[float], object]]
@@ -80,7 +88,7 @@ def report(
     document: Document,
     light_field: Union[None, LightField, str],
     tests: Sequence[Tuple[str, Union[None, LightField, str]]],
-    groups: Sequence[Tuple[str, Sequence[Tuple[str, float]]]],
+    groups: Sequence[Tuple[str, Sequence[Tuple[str, Optional[float]]]]],
     metrics: Sequence[Tuple[str, Callable[..., Any]]],
     output: str,
     against: str,

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import math
 import os
 import sys
 from typing import Any, List, Optional, Union
@@ -25,9 +26,13 @@ class View:
             limited to them). None if the light field is larger than the memory and could only be
             read once from the top (a PNG); pack it into a store then.
         focus: distance of focus of a picture of a focus stack, in metres; None for others.
+        pixels_per_degree: of the eye's field, in the middle of the picture; NaN if not known.
+        distance: from the eye to the panel's centre, in metres; NaN if not known.
     """
 
-    __slots__ = ("state", "image", "seen", "values", "focus", "_inputs")
+    __slots__ = (
+        "state", "image", "seen", "values", "focus", "pixels_per_degree", "distance", "_inputs"
+    )
 
     def __init__(
         self,
@@ -36,12 +41,16 @@ class View:
         seen: np.ndarray,
         values: Optional[np.ndarray] = None,
         focus: Optional[float] = None,
+        pixels_per_degree: float = math.nan,
+        distance: float = math.nan,
     ) -> None:
         self.state = state
         self.image = image
         self.seen = seen
         self.values = values
         self.focus = focus
+        self.pixels_per_degree = pixels_per_degree
+        self.distance = distance
         self._inputs: List[str] = []  # files that it was made of
 
     def __repr__(self) -> str:
@@ -78,12 +87,13 @@ class View:
     def save(self, file: Union[str, "os.PathLike[str]"]) -> None:
         """Write the picture: .png as ``--render`` does, .exr and .tif from ``values``, as its
         ``--format`` does. The file is complete or not there, and never replaces one that the view
-        was made of. Raises InputError."""
+        was made of. A changed ``image`` is uint8, changed ``values`` are float32 of its shape.
+        Raises InputError."""
         name = path_text(file)
         is_float = name.lower().endswith((".exr", ".tif", ".tiff"))
         if is_float and self.values is None:
             raise _hogelscope.InputError(f"{name}: the view has no values: write a PNG")
-        values = self.values if is_float else None
+        values = np.ascontiguousarray(self.values) if is_float else None
         _hogelscope.write(name, np.ascontiguousarray(self.image), values, self._inputs)
 
     def to_vtk(self) -> Any:
