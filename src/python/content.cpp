@@ -6,6 +6,7 @@
 #include "io/files/content_hash.h"
 #include "io/opening/session_around.h"
 #include "io/scene/view_source.h"
+#include "python/stoppable.h"
 
 namespace hogelscope {
 
@@ -18,13 +19,50 @@ std::string stateOf(const std::vector<std::filesystem::path>& files) {
   return state;
 }
 
+/// A file that one thread at a time reads, since decoders have a state.
+class SharedFile : public LightFieldFile {
+ public:
+  explicit SharedFile(std::shared_ptr<LightFieldFile> file) : m_file(std::move(file)) {}
+
+  [[nodiscard]] LightFieldSize size() const override { return m_file->size(); }
+  [[nodiscard]] std::vector<std::filesystem::path> files() const override {
+    return m_file->files();
+  }
+  [[nodiscard]] StoredType type() const override { return m_file->type(); }
+  [[nodiscard]] int bits() const override { return m_file->bits(); }
+  [[nodiscard]] std::vector<std::string> warnings() const override { return m_file->warnings(); }
+  [[nodiscard]] std::string cutWarning(const CameraState& state) const override {
+    return m_file->cutWarning(state);
+  }
+  [[nodiscard]] std::string contentHash() const override { return m_file->contentHash(); }
+  [[nodiscard]] bool isStream() const override { return m_file->isStream(); }
+
+  [[nodiscard]] LightField read(const Progress& progress) override {
+    const auto lock = lockFor(m_mutex, progress);
+    return m_file->read(progress);
+  }
+  [[nodiscard]] std::shared_ptr<const LightFieldSource> source(const SourceUse& use,
+                                                               const Progress& progress) override {
+    const auto lock = lockFor(m_mutex, progress);
+    return m_file->source(use, progress);
+  }
+  void stream(const HogelRow& row, const Progress& progress) override {
+    const auto lock = lockFor(m_mutex, progress);
+    m_file->stream(row, progress);
+  }
+
+ private:
+  std::shared_ptr<LightFieldFile> m_file;
+  std::timed_mutex m_mutex;
+};
+
 }  // namespace
 
 Content::Content(LightFieldParams lightField, DisplayParams display,
                  std::shared_ptr<LightFieldFile> file, std::vector<std::string> warnings)
     : m_lightField(std::move(lightField)),
       m_display(std::move(display)),
-      m_file(std::move(file)),
+      m_file(std::make_shared<SharedFile>(std::move(file))),
       m_warnings(std::move(warnings)),
       m_state(stateOf(m_file->files())) {
   for (const std::string& line : m_file->warnings()) m_warnings.push_back(line);
@@ -36,6 +74,7 @@ std::shared_ptr<Content> Content::openOf(const Session& session, const Progress&
 }
 
 std::shared_ptr<const LightFieldSource> Content::source(const Progress& progress) {
+  const auto lock = lockFor(m_sourceMutex, progress);
   if (!m_source) m_source = m_file->source({.threads = threadCount()}, progress);
   return m_source;
 }

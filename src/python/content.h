@@ -24,11 +24,10 @@ class Content {
 
   [[nodiscard]] const LightFieldParams& lightField() const { return m_lightField; }
   [[nodiscard]] const DisplayParams& display() const { return m_display; }
+  /// Returns the file, which one thread at a time reads; others wait. Its sources are for all.
   [[nodiscard]] const std::shared_ptr<LightFieldFile>& file() const { return m_file; }
   /// Returns lines for the user.
   [[nodiscard]] const std::vector<std::string>& warnings() const { return m_warnings; }
-  /// Returns the mutex to hold while the file is read or rendered from.
-  [[nodiscard]] std::timed_mutex& mutex() { return m_mutex; }
 
   /// Returns the texels, read on first use. Throws InputError, Cancelled.
   std::shared_ptr<const LightFieldSource> source(const Progress& progress);
@@ -45,7 +44,7 @@ class Content {
   std::shared_ptr<LightFieldFile> m_file;
   std::vector<std::string> m_warnings;
   std::string m_state;  ///< of the files when they were opened
-  std::timed_mutex m_mutex;
+  std::timed_mutex m_sourceMutex;
   std::shared_ptr<const LightFieldSource> m_source;
 };
 

@@ -7,6 +7,7 @@
 #include <cctype>
 #include <mutex>
 #include <optional>
+#include <string_view>
 
 #include "core/base/error.h"
 #include "core/base/text.h"
@@ -22,10 +23,15 @@ namespace {
 
 using Figures = std::vector<std::pair<std::string, double>>;
 
-/// A line for each function: its name and its columns.
+/// Of one function: more make tables that nobody reads, slowly.
+constexpr std::size_t mostColumns = 200;
+
+/// The columns of an unfinished report: the head, then a line for each function with its name and
+/// its columns.
 fs::path fileOf(const fs::path& folder) {
   return folder / "report.columns";
 }
+constexpr std::string_view fileHead = "hogelscope columns of metrics 1\n";
 
 bool isColumnName(const std::string& name) {
   return !name.empty() && name.size() <= 60 && std::ranges::all_of(name, [](unsigned char c) {
@@ -37,20 +43,50 @@ bool isColumnName(const std::string& name) {
   throw InputError("metrics", name, why);
 }
 
-py::array_t<float> arrayOf(const Image& image) {
-  py::array_t<float> array({image.height, image.width, 3});
-  std::vector<double> values(image.rgb.size());
-  readCodeValues(image, 0, values);
-  std::ranges::transform(values, array.mutable_data(),
-                         [](double value) { return float(value / 255); });
-  return array;
-}
+/// What a function is asked. It owns all, since its caller may stop before it returns.
+struct Question {
+  Question(const Image& first, const Image& second, Viewing conditions)
+      : height(first.height),
+        width(first.width),
+        reference(valuesOf(first)),
+        test(valuesOf(second)),
+        seen(first.seen.size()),
+        viewing(std::move(conditions)) {
+    std::ranges::transform(first.seen, second.seen, seen.begin(),
+                           [](auto a, auto b) { return a != 0 && b != 0; });
+  }
 
-py::array_t<bool> seenOf(const Image& reference, const Image& test) {
-  py::array_t<bool> array({reference.height, reference.width});
-  std::ranges::transform(reference.seen, test.seen, array.mutable_data(),
-                         [](auto a, auto b) { return a != 0 && b != 0; });
-  return array;
+  int height;
+  int width;
+  std::vector<float> reference;
+  std::vector<float> test;
+  std::vector<std::uint8_t> seen;
+  Viewing viewing;
+  Figures answer{};
+
+ private:
+  static std::vector<float> valuesOf(const Image& image) {
+    std::vector<double> values(image.rgb.size());
+    readCodeValues(image, 0, values);
+    std::vector<float> shares(values.size());
+    std::ranges::transform(values, shares.begin(), [](double value) { return float(value / 255); });
+    return shares;
+  }
+};
+
+/// Returns the arguments of the call.
+py::tuple argumentsOf(const Question& asked) {
+  const auto picture = [&](const std::vector<float>& values) {
+    return py::array_t<float>({asked.height, asked.width, 3}, values.data());
+  };
+  py::array_t<bool> seen({asked.height, asked.width});
+  std::ranges::copy(asked.seen, seen.mutable_data());
+  py::dict info;
+  info["state"] = asked.viewing.state;
+  info["pixels_per_degree"] = asked.viewing.pixelsPerDegree;
+  info["distance"] = asked.viewing.distance;
+  info["light"] = "encoded";
+  return py::make_tuple(picture(asked.reference), picture(asked.test), seen, info);
 }
 
 double numberOf(const std::string& name, const py::handle& value) {
@@ -61,20 +97,61 @@ double numberOf(const std::string& name, const py::handle& value) {
                    ", not a number or a dict of numbers");
 }
 
+/// Returns the column of a key.
+std::string columnOf(const std::string& name, const py::handle& key) {
+  Py_ssize_t size = 0;
+  const py::str text(key);
+  const char* const letters = PyUnicode_AsUTF8AndSize(text.ptr(), &size);
+  if (letters == nullptr) {  // a part of a pair of surrogates
+    PyErr_Clear();
+    refuse(name, "returns a key that is no text: take letters, digits and _");
+  }
+  const std::string own(letters, std::size_t(size));
+  if (!isColumnName(name + "_" + own))
+    refuse(name, "returns the key \"" + printable(own) +
+                     "\", which no column can have: take letters, digits and _");
+  return name + "_" + own;
+}
+
 /// Returns the columns of a result with their values.
 Figures figuresOf(const std::string& name, const py::object& result) {
   if (!py::isinstance<py::dict>(result)) return {{name, numberOf(name, result)}};
+  const auto numbers = py::cast<py::dict>(result);
+  if (numbers.size() > mostColumns)
+    refuse(name, "returns " + std::to_string(numbers.size()) + " numbers; a metric has at most " +
+                     std::to_string(mostColumns));
   Figures figures;
-  for (const auto& [key, value] : py::cast<py::dict>(result)) {
-    const std::string column = name + "_" + py::str(key).cast<std::string>();
-    if (!isColumnName(column))
-      refuse(name, "returns the key \"" + printable(py::str(key).cast<std::string>()) +
-                       "\", which no column can have: take letters, digits and _");
-    figures.emplace_back(column, numberOf(name, value));
-  }
+  for (const auto& [key, value] : numbers)
+    figures.emplace_back(columnOf(name, key), numberOf(name, value));
   if (figures.empty()) refuse(name, "returns an empty dict");
   std::ranges::sort(figures);
+  const auto twice = std::ranges::adjacent_find(figures, {}, &Figures::value_type::first);
+  if (twice != figures.end()) refuse(name, "returns two keys of one column: " + twice->first);
   return figures;
+}
+
+/// Throws the exception of a function as an InputError, of which it is the cause.
+[[noreturn]] void refuse(const std::string& name, py::error_already_set& error) {
+  const std::string text = error.what();
+  const InputError refusal("metrics", name, "raises " + printable(text.substr(0, text.find('\n'))));
+  const py::object type = py::module_::import("hogelscope").attr("InputError");
+  error.restore();
+  py::raise_from(type.ptr(), refusal.what());
+  throw py::error_already_set();
+}
+
+/// Has a function called. Name and function must outlive the thread that calls it.
+Figures answerTo(const std::shared_ptr<Question>& asked, const std::string& name,
+                 const py::object& function, const InPython& inPython) {
+  inPython([asked, &name, &function] {
+    try {
+      asked->answer = figuresOf(name, callPython(function, argumentsOf(*asked)));
+    } catch (py::error_already_set& error) {
+      if (!error.matches(PyExc_Exception)) throw;  // Ctrl-C, an exit
+      refuse(name, error);
+    }
+  });
+  return asked->answer;
 }
 
 }  // namespace
@@ -93,31 +170,20 @@ struct FunctionMetrics::One {
   std::optional<Known> known{};
   std::mutex mutex{};
 
-  /// Calls the function. Python's lock must not be held.
-  Figures call(const Image& reference, const Image& test, const Viewing& viewing) {
-    const py::gil_scoped_acquire lock;
-    try {
-      py::dict info;
-      info["state"] = viewing.state;
-      info["pixels_per_degree"] = viewing.pixelsPerDegree;
-      info["distance"] = viewing.distance;
-      info["light"] = "encoded";
-      return figuresOf(name,
-                       function(arrayOf(reference), arrayOf(test), seenOf(reference, test), info));
-    } catch (const py::error_already_set& error) {
-      const std::string text = error.what();
-      refuse(name, "raises " + printable(text.substr(0, text.find('\n'))));
-    }
+  Figures call(const Image& reference, const Image& test, const Viewing& viewing,
+               const InPython& inPython) {
+    return answerTo(std::make_shared<Question>(reference, test, viewing), name, function, inPython);
   }
 
-  std::vector<double> compare(const Image& reference, const Image& test, const Viewing& viewing) {
+  std::vector<double> compare(const Image& reference, const Image& test, const Viewing& viewing,
+                              const InPython& inPython) {
     const std::lock_guard one(mutex);
     if (known && known->reference == reference && known->test == test) {
       std::vector<double> values = std::move(known->values);
       known.reset();
       return values;
     }
-    const Figures figures = call(reference, test, viewing);
+    const Figures figures = call(reference, test, viewing, inPython);
     std::vector<double> values;
     std::vector<std::string> names;
     for (const auto& [column, value] : figures) {
@@ -149,7 +215,7 @@ FunctionMetrics::~FunctionMetrics() {
 }
 
 void FunctionMetrics::keep(const fs::path& folder) const {
-  std::string text;
+  std::string text(fileHead);
   for (const auto& one : m_all) {
     text += one->name;
     for (const std::string& column : one->columns) text += "," + column;
@@ -160,9 +226,11 @@ void FunctionMetrics::keep(const fs::path& folder) const {
 }
 
 bool FunctionMetrics::recall(const fs::path& folder) {
-  if (!fs::is_regular_file(fileOf(folder)) || !fs::is_regular_file(folder / "report.journal"))
-    return false;
-  const std::vector<std::vector<std::string>> lines = csvRows(readTextFile(fileOf(folder)));
+  requireOwnFile(fileOf(folder), fileHead);
+  if (!fs::exists(fileOf(folder)) || !fs::is_regular_file(folder / "report.journal")) return false;
+  const std::string text = readTextFile(fileOf(folder));
+  const std::vector<std::vector<std::string>> lines =
+      csvRows(text.substr(std::min(text.size(), fileHead.size())));
   if (lines.size() != m_all.size()) return false;
   for (std::size_t k = 0; k < lines.size(); ++k)
     if (lines[k].size() < 2 || lines[k][0] != m_all[k]->name) return false;
@@ -171,7 +239,9 @@ bool FunctionMetrics::recall(const fs::path& folder) {
   return true;
 }
 
-void FunctionMetrics::findColumns(const ReportRequest& request, const Progress& progress) {
+void FunctionMetrics::findColumns(const ReportRequest& request, const InPython& inPython,
+                                  const Progress& progress) {
+  m_inPython = inPython;
   if (m_all.empty() || recall(request.output)) return;
   ViewPairs pairs(request, 1, parallelRows);
   pairs.read(request.tests.front(), part(progress, 0, 0.8));
@@ -183,7 +253,7 @@ void FunctionMetrics::findColumns(const ReportRequest& request, const Progress& 
     for (const auto& one : m_all) {
       one->known.emplace(pair.reference, pair.test, std::vector<double>());
       for (const auto& [column, value] :
-           one->call(pair.reference, pair.test, pairs.viewing(state))) {
+           one->call(pair.reference, pair.test, pairs.viewing(state), m_inPython)) {
         one->columns.push_back(column);
         one->known->values.push_back(value);
       }
@@ -214,15 +284,15 @@ std::vector<Metric> FunctionMetrics::metricsOf(const std::shared_ptr<FunctionMet
     metric.compare = [self, one](const Image& reference, const Image& test, const ParallelRows&,
                                  const Progress& progress, const Viewing& viewing) {
       throwIfCancelled(progress);
-      return one->compare(reference, test, viewing);
+      return one->compare(reference, test, viewing, self->m_inPython);
     };
   }
   return metrics;
 }
 
-void FunctionMetrics::forget(const fs::path& folder) {
+void FunctionMetrics::forget(const fs::path& folder) const {
   std::error_code none;
-  fs::remove(fileOf(folder), none);
+  if (!m_all.empty()) fs::remove(fileOf(folder), none);
 }
 
 }  // namespace hogelscope

@@ -12,6 +12,7 @@
 #include "core/metrics/metric.h"
 #include "core/optics/image.h"
 #include "python/bindings.h"
+#include "python/stoppable.h"
 #include "report/report_request.h"
 
 namespace hogelscope {
@@ -31,12 +32,13 @@ class FunctionMetrics {
   /// Finds the columns: those of the unfinished report in the request's folder, or what the
   /// functions return for the first views that see anything of the display. Throws InputError,
   /// Cancelled.
-  void findColumns(const ReportRequest& request, const Progress& progress);
+  void findColumns(const ReportRequest& request, const InPython& inPython,
+                   const Progress& progress);
   /// Returns the metrics, which keep `self`. A function is called without any other at the same
-  /// time; what it raises, or returns in place of numbers, is an InputError.
+  /// time; what it raises, or returns in place of numbers, is an InputError and stops the work.
   static std::vector<Metric> metricsOf(const std::shared_ptr<FunctionMetrics>& self);
-  /// Removes what a report in the folder kept of the columns, once it is finished.
-  static void forget(const std::filesystem::path& folder);
+  /// Removes what findColumns() kept in the report's folder, once that is finished.
+  void forget(const std::filesystem::path& folder) const;
 
  private:
   struct One;
@@ -44,6 +46,7 @@ class FunctionMetrics {
   [[nodiscard]] bool recall(const std::filesystem::path& folder);
 
   std::vector<std::unique_ptr<One>> m_all;
+  InPython m_inPython;  ///< of the running report
 };
 
 }  // namespace hogelscope

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "core/base/error.h"
 #include "core/optics/eyes.h"
@@ -27,7 +28,9 @@ namespace {
 using Tests = std::vector<std::pair<std::string, LightChoice>>;
 /// Twins by name, each as the session with it.
 using Units = std::vector<std::pair<std::string, Document>>;
-using Groups = std::vector<std::pair<std::string, std::vector<std::pair<std::string, double>>>>;
+/// Tests with their rates; none: that of the test's files.
+using Rates = std::vector<std::pair<std::string, std::optional<double>>>;
+using Groups = std::vector<std::pair<std::string, Rates>>;
 
 /// A report's request from Python.
 struct ReportArguments {
@@ -73,16 +76,19 @@ ReportTest testWith(const Session& session, const std::string& name, const Light
   return {name, other, content->file()};
 }
 
-RateGroup groupOf(const std::string& name, const Groups::value_type::second_type& rates,
-                  const Tests& tests) {
+RateGroup groupOf(const std::string& name, const Rates& rates,
+                  const std::vector<ReportTest>& tests) {
   RateGroup group{name, {}};
-  for (const std::pair<std::string, double>& one : rates) {
-    const auto isIt = [&one](const auto& test) { return test.first == one.first; };
-    if (std::ranges::none_of(tests, isIt))
-      throw InputError("groups", name, "\"" + one.first + "\" is none of the tests");
-    if (!(one.second > 0) || !std::isfinite(one.second))
-      throw InputError("groups", name, "the rate of \"" + one.first + "\" is not a number above 0");
-    group.tests.push_back({one.first, one.second});
+  for (const auto& [test, given] : rates) {
+    const auto known = std::ranges::find(tests, test, &ReportTest::name);
+    if (known == tests.end())
+      throw InputError("groups", name, "\"" + test + "\" is none of the tests");
+    const std::optional<double> rate = given ? given : rateOfFiles(*known);
+    if (!rate)
+      throw InputError("groups", name, "\"" + test + "\" has no size of its own; give its rate");
+    if (!(*rate > 0) || !std::isfinite(*rate))
+      throw InputError("groups", name, "the rate of \"" + test + "\" is not a number above 0");
+    group.tests.push_back({test, *rate});
   }
   if (group.tests.size() < 4)
     throw InputError("groups", name,
@@ -103,7 +109,8 @@ std::vector<std::pair<std::string, Session>> unitsOf(const ReportArguments& wish
   return units;
 }
 
-ReportRequest requestOf(const ReportArguments& wishes, const Progress& progress) {
+ReportRequest requestOf(const ReportArguments& wishes, const InPython& inPython,
+                        const Progress& progress) {
   ReportRequest request;
   const Session session = sessionOf(wishes.document);
   request.name = wishes.document.name.empty() ? "a session of Python" : wishes.document.name;
@@ -122,34 +129,15 @@ ReportRequest requestOf(const ReportArguments& wishes, const Progress& progress)
     request.tests.push_back(testWith(request.session, name, light, progress));
   if (request.tests.empty()) throw InputError("tests", "is empty: there is nothing to compare");
   for (const auto& [name, rates] : wishes.groups)
-    request.groups.push_back(groupOf(name, rates, wishes.tests));
+    request.groups.push_back(groupOf(name, rates, request.tests));
   request.output = wishes.output;
   request.command = "hogelscope.report() of Python";
   request.images = wishes.images;
-  wishes.functions->findColumns(request, part(progress, 0.5, 1));
+  wishes.functions->findColumns(request, inPython, part(progress, 0.5, 1));
   std::vector<Metric> more = FunctionMetrics::metricsOf(wishes.functions);
   if (request.isAgainstDesign) more.push_back(moveMetric());  // the last one
   request.metrics = metricsOf(request.session.metrics, std::move(more));
   return request;
-}
-
-/// Locks all open light fields, each once, in the same order for all reports.
-std::vector<std::unique_lock<std::timed_mutex>> lockAll(const LightChoice& reference,
-                                                        const Tests& tests,
-                                                        const Progress& progress) {
-  std::vector<Content*> contents;
-  const auto add = [&](const LightChoice& light) {
-    if (const auto* content = std::get_if<std::shared_ptr<Content>>(&light))
-      contents.push_back(content->get());
-  };
-  add(reference);
-  for (const auto& [name, light] : tests) add(light);
-  std::ranges::sort(contents);
-  contents.erase(std::unique(contents.begin(), contents.end()), contents.end());
-  std::vector<std::unique_lock<std::timed_mutex>> locks;
-  locks.reserve(contents.size());
-  for (Content* const content : contents) locks.push_back(lockFor(content->mutex(), progress));
-  return locks;
 }
 
 py::dict dictOf(const ReportRow& row, const MetricSet& metrics) {
@@ -218,17 +206,17 @@ py::tuple report(const Document& document, const LightChoice& lightField, const 
     MetricSet metrics;
     std::vector<std::string> warnings;
   };
-  const auto [made, metrics, warnings] = stoppable(progress, [&](const Progress& hear) {
-    const auto locks = lockAll(lightField, tests, hear);
+  std::optional<Made> result;
+  runStoppable(progress, [&](const Progress& hear, const InPython& inPython) {
     const ReportRequest request =
         requestOf({document, lightField, tests, groups, output, against, units, images, called},
-                  part(hear, 0, 0.05));
+                  inPython, part(hear, 0, 0.05));
     ReportListener listener;
     listener.progress = part(hear, 0.05, 1);
-    Made result{makeReport(request, listener), request.metrics, warningsOf(request)};
-    FunctionMetrics::forget(output);
-    return result;
+    result.emplace(makeReport(request, listener), request.metrics, warningsOf(request));
+    called->forget(output);
   });
+  const auto& [made, metrics, warnings] = *result;
   py::list rows, bd;
   for (const ReportRow& row : made.rows) rows.append(dictOf(row, metrics));
   for (const BdRow& row : made.comparisons) bd.append(dictOf(row));

@@ -8,7 +8,9 @@
 #include <chrono>
 #include <condition_variable>
 #include <exception>
+#include <memory>
 #include <thread>
+#include <vector>
 
 namespace hogelscope {
 
@@ -18,37 +20,79 @@ namespace {
 
 constexpr auto pause = std::chrono::milliseconds(20);
 
-/// The messages between the working thread and the waiting one.
+/// The messages between the working threads and the one that waits.
 class Exchange {
  public:
-  void work(const std::function<void(const Progress&)>& function) noexcept {
+  void work(const std::function<void(const Progress&, const InPython&)>& function) noexcept {
     try {
-      function([this](double done) {
-        m_done = std::max(m_done.load(), done);
-        return !m_stops;
-      });
+      function(
+          [this](double done) {
+            m_done = std::max(m_done.load(), done);
+            return !m_stops;
+          },
+          [this](std::function<void()> call) { ask(std::move(call)); });
     } catch (...) {
       m_failure = std::current_exception();
     }
     const std::lock_guard lock(m_mutex);
     m_isOver = true;
-    m_over.notify_one();
+    m_changed.notify_all();
   }
-  /// Waits for the end of the work, up to `pause`. Returns whether it is over.
+  /// Waits for the end of the work or for a call that it asks for, up to `pause`. Returns whether
+  /// the work is over.
   bool wait() {
     std::unique_lock lock(m_mutex);
-    return m_over.wait_for(lock, pause, [this] { return m_isOver; });
+    m_changed.wait_for(lock, pause, [this] { return m_isOver || m_call; });
+    return m_isOver;
   }
-  void stop() { m_stops = true; }
+  /// Makes the call that the work asks for, if there is one. The work may stop meanwhile.
+  void answer() {
+    std::unique_lock lock(m_mutex);
+    const std::shared_ptr<Call> call = m_call;
+    if (!call) return;
+    lock.unlock();
+    call->make();
+    lock.lock();
+    call->isMade = true;
+    m_call = nullptr;
+    m_changed.notify_all();
+  }
+  void stop() {
+    const std::lock_guard lock(m_mutex);
+    m_stops = true;
+    m_changed.notify_all();
+  }
   [[nodiscard]] double done() const { return m_done; }
+  [[nodiscard]] bool isOver() {
+    const std::lock_guard lock(m_mutex);
+    return m_isOver;
+  }
   [[nodiscard]] std::exception_ptr failure() const { return m_failure; }
 
+  std::atomic<bool> isInPython = false;  ///< whether the waiting thread is in code of Python
+
  private:
+  struct Call {
+    std::function<void()> make;
+    bool isMade = false;
+  };
+  void ask(std::function<void()> make) {
+    const auto call = std::make_shared<Call>(std::move(make));
+    std::unique_lock lock(m_mutex);
+    m_changed.wait(lock, [this] { return m_stops || !m_call; });
+    if (m_stops) throw Cancelled();
+    m_call = call;
+    m_changed.notify_all();
+    m_changed.wait(lock, [&] { return m_stops || call->isMade; });
+    if (m_stops) throw Cancelled();
+  }
+
   std::atomic<double> m_done = 0;
   std::atomic<bool> m_stops = false;
   std::exception_ptr m_failure;
   std::mutex m_mutex;
-  std::condition_variable m_over;
+  std::condition_variable m_changed;
+  std::shared_ptr<Call> m_call;  ///< the one that is asked for
   bool m_isOver = false;
 };
 
@@ -59,7 +103,7 @@ class Listener {
   void tell(double done) {
     if (m_callable.is_none() || done <= m_told) return;
     m_told = done;
-    m_callable(done);
+    callPython(m_callable, py::make_tuple(done));
   }
 
  private:
@@ -68,8 +112,9 @@ class Listener {
 };
 
 /// The end of the interpreter. Python ends while daemon threads run, and ends those that want its
-/// lock; with our frames on their stack that would be std::terminate(). It therefore waits for our
-/// work, which stops, and the threads that started it never return.
+/// lock; with our frames on their stack that would be std::terminate(). It therefore waits until
+/// our work has stopped and the threads that started it wait for ever. Those in code of Python,
+/// which may sleep for hours, are not waited for: callPython() holds them.
 class Ending {
  public:
   /// Called at Python's exit by the ending thread, with the lock.
@@ -77,18 +122,33 @@ class Ending {
     m_ender = std::this_thread::get_id();
     m_isBegun = true;
     const py::gil_scoped_release free;
-    while (m_works > 0) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    while (!isStill()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
-  void enter() { ++m_works; }
-  void leave() { --m_works; }
-  /// Resets the count after a fork, whose copy has no working threads.
-  void forget() { m_works = 0; }
+  void enter(Exchange& work) {
+    const std::lock_guard lock(m_mutex);
+    m_works.push_back(&work);
+  }
+  void leave(Exchange& work) {
+    const std::lock_guard lock(m_mutex);
+    std::erase(m_works, &work);
+  }
+  std::mutex& mutex() { return m_mutex; }
+  /// Forgets all after a fork, whose copy has no working threads. The mutex must be held.
+  void forget() { m_works.clear(); }
   [[nodiscard]] bool concernsThisThread() const {
     return m_isBegun && m_ender.load() != std::this_thread::get_id();
   }
 
  private:
-  std::atomic<int> m_works = 0;
+  bool isStill() {
+    const std::lock_guard lock(m_mutex);
+    for (Exchange* const work : m_works) work->stop();
+    return std::ranges::all_of(m_works,
+                               [](Exchange* work) { return work->isInPython && work->isOver(); });
+  }
+
+  std::mutex m_mutex;
+  std::vector<Exchange*> m_works;
   std::atomic<bool> m_isBegun = false;
   std::atomic<std::thread::id> m_ender{};
 };
@@ -98,6 +158,10 @@ Ending& ending() {
   return theEnding;
 }
 
+[[noreturn]] void waitForEver() {
+  while (true) std::this_thread::sleep_for(std::chrono::hours(1));
+}
+
 /// Waits without Python's lock. Returns whether the work is over.
 bool waitFor(Exchange& exchange, std::thread& thread) {
   PyThreadState* const state = PyEval_SaveThread();
@@ -105,41 +169,73 @@ bool waitFor(Exchange& exchange, std::thread& thread) {
   if (ending().concernsThisThread()) {
     exchange.stop();
     thread.join();
-    ending().leave();
-    while (true) std::this_thread::sleep_for(std::chrono::hours(1));
+    ending().leave(exchange);
+    waitForEver();
   }
   if (isOver) thread.join();
   PyEval_RestoreThread(state);
   return isOver;
 }
 
+/// Does what the work wants of Python's code.
+void serve(Exchange& exchange, Listener& listener) {
+  exchange.isInPython = true;
+  exchange.answer();
+  listener.tell(exchange.done());
+  exchange.isInPython = false;
+}
+
 }  // namespace
 
+py::object callPython(const py::object& function, const py::tuple& arguments) {
+  // Python may end the thread in the call, by unwinding its stack.
+  struct Hold {
+    bool isBack = false;
+    ~Hold() {
+      if (!isBack) waitForEver();
+    }
+  } hold;
+  PyObject* const result = PyObject_CallObject(function.ptr(), arguments.ptr());
+  hold.isBack = true;
+  if (result == nullptr) throw py::error_already_set();
+  return py::reinterpret_steal<py::object>(result);
+}
+
 void waitAtExit() {
-  ::pthread_atfork(nullptr, nullptr, [] { ending().forget(); });
+  ::pthread_atfork([] { ending().mutex().lock(); }, [] { ending().mutex().unlock(); },
+                   [] {
+                     ending().forget();
+                     ending().mutex().unlock();
+                   });
   py::module_::import("atexit").attr("register")(py::cpp_function([] { ending().begin(); }));
 }
 
-void runStoppable(const py::object& listener, const std::function<void(const Progress&)>& work) {
+void runStoppable(const py::object& listener,
+                  const std::function<void(const Progress&, const InPython&)>& work) {
   Exchange exchange;
   Listener heard(listener);
   std::exception_ptr thrown;  // thrown by Python
   std::thread thread([&] { exchange.work(work); });
-  ending().enter();
+  ending().enter(exchange);
   while (!waitFor(exchange, thread)) {
-    if (thrown) continue;
     try {
+      // Handlers of signals are called while a stop is waited for, too.
       if (PyErr_CheckSignals() != 0) throw py::error_already_set();
-      heard.tell(exchange.done());
+      if (!thrown) serve(exchange, heard);
     } catch (...) {
-      thrown = std::current_exception();
+      exchange.isInPython = false;
+      if (!thrown) thrown = std::current_exception();
       exchange.stop();
     }
   }
-  ending().leave();
+  ending().leave(exchange);
   if (thrown) std::rethrow_exception(thrown);
   if (exchange.failure()) std::rethrow_exception(exchange.failure());
   heard.tell(1);
+}
+
+void runStoppable(const py::object& listener, const std::function<void(const Progress&)>& work) {
+  runStoppable(listener, [&](const Progress& progress, const InPython&) { work(progress); });
 }
 
 std::unique_lock<std::timed_mutex> lockFor(std::timed_mutex& mutex, const Progress& progress) {

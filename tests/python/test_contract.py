@@ -4,6 +4,7 @@
 import doctest
 import math
 import os
+import pydoc
 import sys
 import unittest
 
@@ -73,6 +74,11 @@ class Contract(FolderTest):
             self.assertGreater(len(getattr(hs, name).__doc__), 60, name)
         for words in ("metres", "(dv, du, ny, nx, 3)", "InputError", "Ctrl-C"):
             self.assertIn(words, hs.__doc__)
+        for name in ("Session", "Report"):  # without what every dict and list has
+            shown = pydoc.render_doc(getattr(hs, name))
+            self.assertNotIn("inherited from", shown)
+            self.assertNotIn("setdefault", shown)
+        self.assertIn("focus_stack", pydoc.render_doc(hs.Session))
         self.assertEqual(hs.InputError.__module__, "hogelscope")
         self.assertTrue(issubclass(hs.InputError, ValueError))
         self.assertTrue(os.path.exists(os.path.join(os.path.dirname(hs.__file__), "py.typed")))

@@ -4,6 +4,8 @@
 import csv
 import math
 import os
+import shutil
+import traceback
 import unittest
 
 import numpy as np
@@ -234,6 +236,9 @@ class Report(FolderTest):
             hs.report(bare, {"c": coded}, light_field=self.views, output=self.path("out"),
                       metrics=metric(6), threads=1)
         self.assertNotIn("\n", str(at.exception))
+        cause = at.exception.__cause__
+        self.assertEqual(cause.args, ("as it\nhappens",))
+        self.assertEqual(traceback.extract_tb(cause.__traceback__)[-1].name, "spread")
         done = len(called) - 1
         rows = hs.report(bare, {"c": coded}, light_field=self.views, output=self.path("out"),
                          metrics=metric(-1))
@@ -254,6 +259,10 @@ class Report(FolderTest):
         refuses("returns <class 'NoneType'>", m=lambda *_: None)
         refuses("returns an empty dict", m=lambda *_: {})
         refuses('returns the key "a b"', m=lambda *_: {"a b": 1})
+        refuses("returns two keys of one column: m_1", m=lambda *_: {1: 2, "1": 3})
+        refuses("returns a key that is no text", m=lambda *_: {"\ud800": 1})
+        refuses("returns 201 numbers; a metric has at most 200",
+                m=lambda *_: {f"k{k}": k for k in range(201)})
         refuses("psnr: is the name of another column", psnr=lambda *_: 1)
         refuses("raises ZeroDivisionError: division by zero", m=lambda *_: 1 / 0)
         calls = iter(range(9))
@@ -262,6 +271,34 @@ class Report(FolderTest):
                            metrics={"a,b": lambda *_: 1})
         with self.assertRaisesRegex(TypeError, "is no function"):
             report(s, tests, output=self.path("out"), metrics={"m": 5})
+
+    def test_foreign_files_of_columns_stay(self):
+        """report.columns is the program's own name: neither a user's file nor a link is touched."""
+        with open(self.path("notes"), "w", encoding="utf-8") as file:
+            file.write("notes")
+        for name, make in (("file", shutil.copy), ("link", os.symlink), ("linked", os.link)):
+            os.mkdir(self.path(name))
+            columns = self.path(name, "report.columns")
+            make(self.path("notes"), columns)
+            self.assertRefuses("report.columns: cannot be written: .* not written by hogelscope",
+                               hs.report, self.session, {"c": self.coded}, output=self.path(name),
+                               metrics={"m": lambda *_: 1})
+            hs.report(self.session, {"c": self.coded}, output=self.path(name))
+            self.assertEqual(read(columns), b"notes")
+            self.assertEqual(os.path.islink(columns), name == "link")
+
+    def test_rates_of_files(self):
+        """Groups without rates have those of the sizes of their files, as on the command line."""
+        coded = [self.write_views(self.views // step * step, f"q{step}") for step in (32, 16, 8, 4)]
+        arguments = [word for name in coded for word in ("--test", name)]
+        program("--report", "--session", self.file, *arguments, "--quiet", "--output", self.path("a"),
+                "--group", "a=" + ",".join(coded))
+        for groups in ({"a": coded}, {"a": dict.fromkeys(coded)}):
+            hs.report(self.session, coded, output=self.path("b"), groups=groups)
+            self.assertEqual(read(self.path("a", "summary.csv")), read(self.path("b", "summary.csv")))
+        self.assertIn(b"rate_bpp", read(self.path("b", "summary.csv")))
+        self.assertRefuses('"array" has no size of its own; give its rate', hs.report, self.session,
+                           {"array": self.views}, output=self.path("c"), groups={"a": ["array"]})
 
     def test_tests_of_any_kind(self):
         """Lists of light fields and arrays; what numpy makes an array of is one."""

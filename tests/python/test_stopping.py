@@ -177,6 +177,116 @@ class Stopping(FolderTest):
                               check=False, timeout=100)
         self.assertEqual((done.returncode, done.stderr), (0, ""))
 
+    def small_report(self, metric):
+        """A report of two states whose only metric is this one, and its light field."""
+        s = hs.Session(small_session())
+        views = np.random.default_rng(1).integers(0, 256, (4, 4, 9, 9, 3), np.uint8)
+        lf = hs.LightField(views)
+        return hs.report(s, {"a": lf}, light_field=lf, output=self.path("out"),
+                         metrics={"m": lambda *asked: metric(s, lf, *asked)})
+
+    def test_metrics_may_render(self):
+        """Also the light field that the report reads, and in another report."""
+        def same(s, lf, reference, test, seen, info):
+            self.assertIs(threading.current_thread(), threading.main_thread())
+            image = s.render(info["state"], lf).image
+            inner = hs.report(s, {"b": lf}, light_field=lf, output=self.path("inner"),
+                              metrics={"n": lambda *_: lf.array().max()})
+            return {"error": np.abs(image / 255 - reference).max(), "inner": inner[0]["n"]}
+
+        for row in self.small_report(same):
+            self.assertLess(row["m_error"], 1e-6)
+            self.assertGreater(row["m_inner"], 200)
+
+    def test_interrupt_in_a_metric(self):
+        """Ctrl-C ends a metric that waits, and is itself raised; so is an exit."""
+        def sleeps(*_):
+            interrupted = threading.Event()
+            interrupt_soon(interrupted)
+            interrupted.set()
+            time.sleep(1000)
+
+        def leaves(*_):
+            sys.exit(3)
+
+        with self.assertRaises(KeyboardInterrupt):
+            self.small_report(sleeps)
+        with self.assertRaises(SystemExit):
+            self.small_report(leaves)
+
+    def test_interrupts_that_a_metric_keeps(self):
+        """The second Ctrl-C leaves, in a view that the metric asked for."""
+        kept = []
+
+        def keeps_one(*_):
+            started = threading.Event()
+            interrupt_soon(started)
+            started.set()
+            try:
+                slow_session().render("Fig 4")
+            except KeyboardInterrupt:
+                if kept:
+                    raise
+                kept.append(1)
+            return 1
+
+        with self.assertRaises(KeyboardInterrupt):
+            self.small_report(keeps_one)
+        self.assertEqual(len(kept), 1)
+
+    def test_handlers_are_called_while_a_stop_is_waited_for(self):
+        """Progress that raises stops the work; signals are heard meanwhile and afterwards."""
+        heard = []
+        before = signal.signal(signal.SIGUSR1, lambda *_: heard.append(1))
+        self.addCleanup(signal.signal, signal.SIGUSR1, before)
+
+        def tell(_):
+            os.kill(os.getpid(), signal.SIGUSR1)
+            raise Enough
+
+        with self.assertRaises(Enough):
+            slow_session().render("Fig 4", progress=tell)
+        self.assertEqual(len(heard), 1)
+
+    def test_daemon_threads_in_python_end_with_it(self):
+        """In a metric, and in progress; also in a view that these asked for."""
+        script = """
+import sys, tempfile, threading, time
+import numpy as np, hogelscope as hs
+s = hs.Session("tests/data/table1.json")
+slow = s.copy()
+slow["sampling"]["samplesPerPixel"] = 8
+slow["cameras"][3]["res"] = [4000, 4000]
+lf = hs.LightField(np.zeros((3, 3, 9, 9, 3), np.uint8))
+begun = threading.Event()
+def wait(*_):
+    begun.set()
+    time.sleep(1000)
+def wait_soon(*_):
+    begun.set()
+    for _ in range(100000):
+        time.sleep(0.01)
+def render(*_):
+    slow.render("Fig 4", progress=lambda done: begun.set())
+metric = {"wait": wait, "wait_soon": wait_soon, "render": render}.get(sys.argv[1])
+with tempfile.TemporaryDirectory() as out:
+    bare = hs.Session({"cameras": [{"name": "a", "eye": [0, 0, 1], "res": [20, 20]}]})
+    def work():
+        try:
+            if metric:
+                hs.report(bare, {"a": lf}, light_field=lf, output=out, metrics={"m": metric})
+            else:
+                slow.render("Fig 4", progress=wait)
+        finally:
+            begun.set()
+    threading.Thread(target=work, daemon=True).start()
+    begun.wait()
+"""
+        for how in ("wait", "wait_soon", "render", "progress"):
+            done = subprocess.run([sys.executable, "-c", script, how], capture_output=True,
+                                  text=True, check=False, timeout=100)
+            self.assertEqual((done.returncode, done.stderr), (0, ""), how)
+
     def test_fork(self):
         """Children of a process that has rendered render, too (multiprocessing)."""
         import multiprocessing

@@ -14,7 +14,7 @@ from typing import (
 import numpy as np
 
 from . import _hogelscope
-from ._content import Path, Progress, around, json_text, light_choice, path_text, warn
+from ._content import OwnMembers, Path, Progress, around, json_text, light_choice, path_text, warn
 from ._hogelscope import InputError, LightField
 from ._view import View
 
@@ -38,7 +38,7 @@ def named_states(states: Iterable[Any]) -> List[Any]:
     return named
 
 
-class Session(Dict[str, Any]):
+class Session(dict[str, Any], metaclass=OwnMembers):
     """A session document as a dict: "display", "lightField", "sampling", "metrics", "cameras".
 
     Args:
@@ -310,7 +310,7 @@ def cameras(
     return states
 
 
-class Report(List[Dict[str, Any]]):
+class Report(list[Dict[str, Any]], metaclass=OwnMembers):
     """The rows of a report, with what follows from them.
 
     Attributes:
@@ -346,6 +346,14 @@ def _named_tests(tests: Any) -> List[Tuple[str, Any]]:
     ]
 
 
+def _rates(group: Any) -> List[Tuple[str, Optional[float]]]:
+    """The tests of a group with their rates; None for that of the files."""
+    if isinstance(group, Mapping):
+        return [(str(test), None if rate is None else float(rate)) for test, rate in group.items()]
+    tests = [group] if isinstance(group, str) else group
+    return [(path_text(test), None) for test in tests]
+
+
 def _units(
     session: Session, twins: Any, states: Optional[Sequence[Any]], has_light: bool
 ) -> List[Tuple[str, _hogelscope.Document]]:
@@ -378,7 +386,7 @@ def report(
     output: Path,
     light_field: Any = None,
     cameras: Optional[Sequence[Mapping[str, Any]]] = None,
-    groups: Optional[Mapping[str, Mapping[str, float]]] = None,
+    groups: Optional[Mapping[str, Union[Mapping[str, Optional[float]], Iterable[str]]]] = None,
     metrics: Optional[Mapping[str, Metric]] = None,
     against: Optional[str] = None,
     twins: Union[None, Path, Mapping[str, Any], Iterable[Any]] = None,
@@ -395,7 +403,8 @@ def report(
         output: the folder of report.html, report.csv, metrics.csv, summary.csv and others.
         cameras: states instead of the session's own.
         groups: {codec: {test: rate}}, rates in bits per directional pixel, four tests or more
-            each: BD-rates of every codec against each earlier one, in the page and in bd.csv.
+            each: BD-rates of every codec against each earlier one, in the page and in bd.csv. The
+            rate None, or {codec: [test, …]}, is that of the size of the test's files.
         metrics: {name: function}, called as function(reference, test, seen, info) for each state
             and test, one call at a time: two pictures, (h, w, 3) float32 from 0 to 1 (the values
             that are compared, over 255), the pixels that both see, (h, w) bool, and {"state",
@@ -430,8 +439,7 @@ def report(
         if light is None:
             raise TypeError(f"test {name!r} is None, not a light field")
         choices.append((name, light_choice(light)))
-    rates = [(str(name), [(str(test), float(rate)) for test, rate in group.items()])
-             for name, group in (groups or {}).items()]
+    rates = [(str(name), _rates(group)) for name, group in (groups or {}).items()]
     states = None if cameras is None else [dict(state) for state in cameras]
     light = light_choice(light_field)
     document = session._document(states, not isinstance(light, LightField))
