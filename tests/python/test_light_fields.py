@@ -201,6 +201,31 @@ print(before, has_codecs(), lf.array().shape, lf.array().std() > 20)
         turned = hs.open(folder, "views", rows="bottom-up", columns="right-left")
         self.assertSame(turned.array()[2, 3], views[0, 0])
 
+    def test_what_numpy_makes_an_array_of(self):
+        views = random_views()
+
+        class Wrapped:
+            def __array__(self, dtype=None, copy=None):
+                return views
+
+        for other in (Wrapped(), list(views), tuple(views)):
+            self.assertSame(hs.LightField(other).array(), views)
+
+    def test_settings_of_a_layout_that_is_found(self):
+        """Those of a mosaic, which is taken for a picture of hogels at first."""
+        program("--export", "mosaic", "--session", "data/table1.json", "--output", self.path("m.png"))
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            found = hs.open(self.path("m.png"))
+            sheared = hs.open(self.path("m.png"), shear=[1, 2])
+            turned = hs.open(self.path("m.png"), rows="bottom-up")
+        given = {"layout": "mosaic", "display": {"directions": [20, 20]}}
+        self.assertEqual(found.shape, (20, 20, 128, 128, 3))
+        self.assertSame(sheared.array(), hs.open(self.path("m.png"), shear=[1, 2], **given).array())
+        self.assertFalse(np.array_equal(turned.array(), found.array()))
+        self.assertEqual(hs.info(self.path("m.png"), overrides=["lightField.shear=[1,2]"])["shear"], [1, 2])
+        self.assertRefuses("lightField.sheer: is not known", hs.open, self.path("m.png"), sheer=[1, 2])
+
     def test_hostile(self):
         good = random_views()
         shape = r"array: shape: is .*\(dv, du, ny, nx, 3\)"
@@ -215,9 +240,12 @@ print(before, has_codecs(), lf.array().shape, lf.array().std() > 20)
             real = random_views(np.float32)
             real[1, 2, 3, 4, 1] = value
             self.assertRefuses(r"array: \[1, 2, 3, 4\]: ", hs.LightField, real)
-        for other in ([1, 2], None, "views", good.tolist()):
-            with self.assertRaises(TypeError):
+        for other in (None, "views", 5, {"a": good}):
+            with self.assertRaisesRegex(TypeError, "made of a numpy array, not of"):
                 hs.LightField(other)
+        self.assertRefuses(shape, hs.LightField, [1, 2])
+        self.assertRefuses("shape: is that of no array", hs.LightField, [[1, 2], [3]])
+        self.assertRefuses("dtype: is int64; allowed", hs.LightField, good.tolist())
         with self.assertRaises(TypeError):
             hs.LightField(good, layuot=3)
         with self.assertRaises(TypeError):

@@ -122,6 +122,21 @@ bool isLayoutGiven(const std::vector<std::string>& overrides) {
       overrides, [](const std::string& text) { return text.starts_with("lightField.layout="); });
 }
 
+/// Returns the session with the overrides. Unless one gives the layout, those of the light field
+/// that this layout does not know are left out, since they may be of the layout to be found.
+Session overriddenWhereKnown(const Session& session, const std::vector<std::string>& overrides) {
+  if (isLayoutGiven(overrides)) return overridden(session, overrides);
+  std::vector<std::string> known;
+  for (const std::string& one : overrides) {
+    try {
+      if (one.starts_with("lightField.")) (void)overridden(session, {one});
+      known.push_back(one);
+    } catch (const InputError&) {  // thrown again once the layout is found
+    }
+  }
+  return overridden(session, known);
+}
+
 /// Returns the display; `given` may contain the number of directions for views with one running
 /// number.
 PanelParams displayAround(const LightFieldParams& lightField, const DisplayParams& given) {
@@ -173,7 +188,7 @@ OrderedSession orderedSessionAround(const std::string& file,
   if (session.lightField.isLive()) {
     fitMesh(session.lightField, session.display, progress);
   } else {
-    Session said = overridden(session, overrides);  // which may contain how to read it
+    Session said = overriddenWhereKnown(session, overrides);  // which may contain how to read it
     session.lightField = said.lightField;
     const auto isWhole = [&said] {
       return typeOf(said.lightField.layout).isWhole(said.lightField, said.display);
