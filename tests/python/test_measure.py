@@ -101,15 +101,19 @@ class Sweep(FolderTest):
         session = hs.Session(small_session(
             display={"size": [0.2, 0.2], "hogels": [40, 40], "directions": [12, 12]},
             lightField={"file": "missing.png"}))
-        table = {"parameters": {"display.directions": [[8, 8], [16, 16]]},
+        table = {"parameters": {"display.directions": [[8, 8], [16, 16]], "psf.sigma": [0.5],
+                                "display.lens": ["rectilinear"]},
                  "figures": ["depthOfField", "megapixels"], "pareto": {"megapixels": "min"}}
         rows = hs.sweep(session, table, output=self.path("out"))
         self.assertEqual([row["megapixels"] for row in rows], [0.1024, 0.4096])
         self.assertEqual([row["pareto"] for row in rows], [1, 0])
-        self.assertEqual(rows[0]["display.directions"], "[8,8]")
+        self.assertEqual(rows[0]["display.directions"], [8, 8])
+        self.assertEqual((rows[0]["psf.sigma"], rows[0]["display.lens"]), (0.5, "rectilinear"))
         self.assertEqual(sorted(os.listdir(self.path("out"))),
                          ["plots", "sweep.csv", "sweep.html"])
         session["display"]["directions"] = [8, 8]
+        for state in session["cameras"]:
+            state["psf"] = {"sigma": 0.5}
         depth = [row["value"] for row in hs.measure(session) if row["figure"] == "depthOfField"]
         self.assertEqual(rows[0]["depthOfField"], depth[0])
         with self.assertRaisesRegex(hs.InputError, "figures: is missing"):

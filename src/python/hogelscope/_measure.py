@@ -6,13 +6,13 @@ from __future__ import annotations
 import csv
 import io
 import json
-from typing import Any, Dict, List, Mapping, Optional, Sequence, Union
+from typing import Any, Dict, List, Mapping, Optional, Sequence
 
 from . import _hogelscope
 from ._content import Path, Progress, json_text, path_text
 from ._session import Session
 
-Row = Dict[str, Union[str, float, None]]
+Row = Dict[str, Any]  # texts, numbers, None
 
 
 def _rows(text: str, words: Sequence[str]) -> List[Row]:
@@ -99,12 +99,15 @@ def sweep(
         threads, progress: as in Session.render().
 
     Returns:
-        The rows of sweep.csv: "design", the parameters as JSON texts, the figures (None where they
-        cannot be measured), "pareto" (1 or 0), "problem". Raises InputError.
+        The rows of sweep.csv: "design", the parameters (numbers, lists of them, or words), the
+        figures (None where they cannot be measured), "pareto" (1 or 0), "problem". Raises
+        InputError.
     """
     states = None if cameras is None else [dict(state) for state in cameras]
     text = json_text(table)
-    rows = _hogelscope.sweep(
+    made = _hogelscope.sweep(
         session._document(states), text, path_text(output), threads, progress
     )
-    return _rows(rows, ["problem", *table.get("parameters", {})])
+    parameters = list(table.get("parameters", {}))
+    rows = _rows(made, ["problem", *parameters])
+    return [{**row, **{name: json.loads(row[name]) for name in parameters}} for row in rows]
