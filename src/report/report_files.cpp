@@ -18,9 +18,13 @@ namespace fs = std::filesystem;
 
 namespace {
 
+/// Returns "views/testN_WHICH", N from 1.
+std::string viewName(const ChosenView& view) {
+  return "views/test" + std::to_string(view.test + 1) + "_" + view.which;
+}
+
 fs::path viewFile(const fs::path& folder, const ChosenView& view, const char* ending) {
-  return folder / "views" /
-         ("test" + std::to_string(view.test + 1) + "_" + view.which + ending + ".png");
+  return folder / (viewName(view) + ending + ".png");
 }
 
 fs::path referenceImage(const fs::path& folder, const std::string& state) {
@@ -41,7 +45,8 @@ std::size_t roomFor(double share, std::size_t figures) {
   return std::size_t(share * 0.75 * double(mostPictureBytes) / double(figures));
 }
 
-constexpr double shareOfPanels = 0.25;
+constexpr double shareOfPanels = 0.1;
+constexpr std::size_t viewsOfTest = 3;  ///< the worst, the median and the best
 
 /// Returns means of scale × scale pixels, of fewer at the right and at the bottom.
 Image reduced(const Image& image, int scale) {
@@ -147,7 +152,10 @@ std::vector<fs::path> filesOf(const ReportRequest& request) {
   const auto plot = [&](const std::string& name) {
     for (const char* ending : {".svg", ".csv"}) files.push_back(folder / "plots" / (name + ending));
   };
-  for (const MetricMean& mean : request.metrics.means()) plot("rate_" + mean.name);
+  for (const MetricMean& mean : request.metrics.means()) {
+    plot("rate_" + mean.name);
+    if (request.isAgainstDesign) plot("units_" + mean.name);
+  }
   for (std::size_t test = 0; test < request.tests.size(); ++test) {
     for (const char* ending : {"hogels.exr", "directions.exr", "views.exr", "hogels.png",
                                "directions.png", "views.png", "ranks.png"})
@@ -260,7 +268,18 @@ ReportPanel writePanelError(const fs::path& folder, std::size_t test, const Repo
   return page;
 }
 
-ReportView writeView(const fs::path& folder, const ChosenView& view, std::size_t tests,
+std::size_t roomForView(const std::vector<ReportView>& before, std::size_t tests) {
+  constexpr double shareOfFirst = 2.0 / 3;
+  const std::size_t all = roomFor(1 - shareOfPanels, 1);
+  if (tests > 1 && before.size() < viewsOfTest)
+    return roomFor((1 - shareOfPanels) * shareOfFirst, viewsOfTest);
+  std::size_t used = 0;
+  for (const ReportView& view : before)
+    used += view.reference.size() + view.test.size() + view.difference.size();
+  return (all - std::min(used, all)) / (viewsOfTest * tests - before.size());
+}
+
+ReportView writeView(const fs::path& folder, const ChosenView& view, std::size_t room,
                      const ViewPair& pair, const SheetLabels& labels, const Progress& progress) {
   makeFolder(folder / "views");
   const DifferenceImage difference = differenceImage(pair.reference, pair.test);
@@ -269,15 +288,15 @@ ReportView writeView(const fs::path& folder, const ChosenView& view, std::size_t
   writePng(viewFile(folder, view, "_difference"), difference.image, progress);
   writePng(viewFile(folder, view, ""), comparisonSheet(pair.reference, pair.test, labels),
            progress);
-  Shrunk page = shrunk({&pair.reference, &pair.test, &difference.image},
-                       roomFor(1 - shareOfPanels, 3 * tests), progress);
+  Shrunk page = shrunk({&pair.reference, &pair.test, &difference.image}, room, progress);
   return {view.row,
           view.which,
           std::move(page.pngs[0]),
           std::move(page.pngs[1]),
           std::move(page.pngs[2]),
           difference.gain,
-          page.scale};
+          page.scale,
+          viewName(view)};
 }
 
 }  // namespace hogelscope

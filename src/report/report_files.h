@@ -47,6 +47,11 @@ ReportPanel writePanelError(const std::filesystem::path& folder, std::size_t tes
                             const ReportRequest& request, const PanelError& error,
                             const std::vector<double>& viewErrors, const PanelParams& display);
 
+/// Returns the bytes that the page has for the next view after those `before`, in the order of the
+/// tests. Most are for the first test, whose pictures should have all pixels; those of the others
+/// lead to their files. What these leave is for the others.
+std::size_t roomForView(const std::vector<ReportView>& before, std::size_t tests);
+
 /// A view for the page: its row, its test and "worst", "median" or "best".
 struct ChosenView {
   std::size_t row = 0;
@@ -56,8 +61,8 @@ struct ChosenView {
 
 /// Writes FOLDER/views/testN_WHICH_reference.png, …_test.png, …_difference.png, and
 /// testN_WHICH.png, in which they are side by side with the map of their error. Returns them for
-/// the page, where the images of `tests` tests must not exceed mostPictureBytes.
-ReportView writeView(const std::filesystem::path& folder, const ChosenView& view, std::size_t tests,
+/// the page, scaled down to at most `room` bytes.
+ReportView writeView(const std::filesystem::path& folder, const ChosenView& view, std::size_t room,
                      const ViewPair& pair, const SheetLabels& labels, const Progress& progress);
 
 }  // namespace hogelscope

@@ -197,8 +197,9 @@ void ReportRun::showViews(std::size_t test) {
     const ReportRow& row = m_report.rows[rowOf(test, state)];
     const SheetLabels labels{row.state, m_names[test], row.values[psnrSeenColumn]};
     m_views.push_back(m_writing.of([&] {
-      return writeView(m_folder, {rowOf(test, state), test, which}, m_request.tests.size(), pair,
-                       labels, m_progress.within());
+      return writeView(m_folder, {rowOf(test, state), test, which},
+                       roomForView(m_views, m_request.tests.size()), pair, labels,
+                       m_progress.within());
     }));
   };
   if (!order.empty()) show("worst", order.front());
@@ -282,7 +283,8 @@ void ReportRun::writeAll() {
                   std::move(m_views),
                   {},
                   warningsOf(m_request),
-                  harmlessMoves(m_report.summaries, m_request.metrics)};
+                  harmlessMoves(m_report.summaries, m_request.metrics),
+                  m_request.isAgainstDesign};
   for (std::size_t test = 0; test < m_projections.size(); ++test) {
     page.panels.push_back(writePanelError(m_folder, test, m_request, m_projections[test]->error(),
                                           m_viewErrors[test], display));

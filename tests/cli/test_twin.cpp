@@ -110,6 +110,12 @@ void TestTwin::againstTheDesign() {
   QVERIFY2(outcome.out.contains("offset.json: its rays move by"), outcome.out);
   QVERIFY(contentOf("out/report.html").contains("offset.json: its rays move by"));
   QVERIFY(!contentOf("out/report.html").contains("turned.json: its rays move by"));
+  QVERIFY(
+      contentOf("out/report.html").contains("<h1>Units as built against the design of s.json<"));
+  for (const char* name : {"units_mean_psnr_seen", "units_mean_move_rest"}) {
+    QVERIFY(QFileInfo::exists(QString("out/plots/%1.svg").arg(name)));
+    QCOMPARE(tableOf(QString("out/plots/%1.csv").arg(name)).size(), 4);
+  }
 }
 
 /// A twin's document that changed is another report.

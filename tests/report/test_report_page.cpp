@@ -50,7 +50,7 @@ ReportPage fullPage() {
   page.comparisons = {{"A", "B", page.metrics.means()[meanPsnrSeen], bdDelta({}, {})}};
   page.groups = {{"A", {{"t.png", 0.25}}}, {"B", {}}};
   page.lenses = {{"a", {}}};
-  page.views = {{0, "worst", "PNG1", "PNG2", "PNG3", 8}};
+  page.views = {{0, "worst", "PNG1", "PNG2", "PNG3", 8, 1, "views/test1_worst"}};
   page.panels = {{"t.png", "PNG4", "PNG5", {2, 3, 0.25, 0.5, {1, 2}, {-10, 5}}}};
   return page;
 }
@@ -92,6 +92,7 @@ class TestReportPage : public QObject {
   void warnings();
   void problemsInTheTable();
   void pictures();
+  void unitsAgainstTheDesign();
   void noSuchRow();
   void lensesThatAreShared();
   void lists();
@@ -158,11 +159,12 @@ void TestReportPage::emptyPartsLeaveNoHeading() {
                         "How to read the figures", "What was tested"}));
 }
 
-/// Nothing lies elsewhere, and what is here is HTML and XML alike.
+/// Nothing lies elsewhere but the pictures' own files, and what is here is HTML and XML alike.
 void TestReportPage::oneFile() {
   QString page = QString::fromStdString(html(fullPage()));
   QVERIFY(page.startsWith("<!DOCTYPE html>") && page.trimmed().endsWith("</html>"));
   page.remove("src=\"data:image/png;base64,").remove("href=\"data:image/png;base64,");
+  page.remove("<a href=\"views/test");
   for (const char* outside : {"http:", "https:", "src=", "href=", "url(", "@import", "<link"})
     QVERIFY2(!page.contains(outside), outside);
 }
@@ -184,7 +186,7 @@ void TestReportPage::onlyItsOwnScriptRuns() {
           .arg(hashOf("style"), hashOf("script"));
   QVERIFY2(contains(page, policy.toStdString()), qPrintable(policy));
   QVERIFY(page.find(policy.toStdString()) < page.find("<style>"));
-  QVERIFY(!contains(page, " style=") && !contains(page, " onclick=") && !contains(page, "<a "));
+  QVERIFY(!contains(page, " style=") && !contains(page, " onclick="));
 }
 
 void TestReportPage::facts() {
@@ -270,8 +272,29 @@ void TestReportPage::pictures() {
   QVERIFY(textsOf(page, "h3").contains("Worst view: a: PSNR 20.00 dB, SSIM 0.5000"));
   const QStringList captions = textsOf(page, "figcaption");
   QVERIFY(captions.contains("absolute difference, 8 times as bright"));
+  // Each leads to its file; those with all pixels are shown so.
+  for (const char* kind : {"reference", "test", "difference"})
+    QVERIFY(contains(page, std::string("<a href=\"views/test1_worst_") + kind + ".png\"><img "));
+  QVERIFY(contains(page, "<div class=\"row views whole\">"));
+  ReportPage small = fullPage();
+  small.views[0].scale = 3;
+  QVERIFY(contains(html(small), "<div class=\"row views\">"));
+  QVERIFY(contains(html(small), "SSIM 0.5000, 1/3 of the size of the files in views</h3>"));
   QVERIFY(contains(page, "half of the") || contains(page, "Half of the squared error"));
   QVERIFY(contains(page, "costliest direction is 10.0° left, 5.0° up"));
+}
+
+/// The heading says what is compared, and a plot has all units.
+void TestReportPage::unitsAgainstTheDesign() {
+  ReportPage page = pageOf({row("a", 65), row("b", 650)});
+  page.rows[1].test = "u.png";
+  page.summaries = summariseTests(page.rows, page.metrics);
+  QCOMPARE(textsOf(html(page), "h1"), QStringList("Perceived views of s.json"));
+  QVERIFY(!textsOf(html(page), "h2").contains("Over the units"));
+  page.isAgainstDesign = true;
+  QCOMPARE(textsOf(html(page), "h1"), QStringList("Units as built against the design of s.json"));
+  QCOMPARE(textsOf(html(page), "h2").mid(0, 2), (QStringList{"Results", "Over the units"}));
+  QCOMPARE(hogelscope::figuresOf(page).front().name, std::string("units_mean_psnr_seen"));
 }
 
 void TestReportPage::noSuchRow() {

@@ -10,6 +10,7 @@
 
 #include "core/base/colour_map.h"
 #include "page/plot.h"
+#include "report/page/unit_plots.h"
 #include "report/page/window_plots.h"
 #include "tests/core/random.h"
 #include "tests/report/metric_values.h"
@@ -114,6 +115,7 @@ class TestReportPlots : public QObject {
   Q_OBJECT
 
  private Q_SLOTS:
+  void unitsInOrder();
   void circlesFollowTheEyes();
   void displayFrame();
   void colours();
@@ -391,6 +393,39 @@ void TestReportPlots::ratesOfIdenticalTests() {
   for (const Figure& figure : rateFigures(summariseTests(rows, metrics, groups), metrics, groups))
     QVERIFY(figure.svg.find("nan") == std::string::npos &&
             figure.svg.find("inf") == std::string::npos);
+}
+
+/// Units in the order of their mean, weighted where states have weights; all tests together are
+/// none.
+void TestReportPlots::unitsInOrder() {
+  std::vector<ReportRow> rows;
+  for (const auto& [unit, db] :
+       {std::pair("u1", 30.0), std::pair("u2", 20.0), std::pair("u3", 25.0)})
+    for (const double more : {0.0, 3.0}) {
+      rows.push_back(row(more > 0 ? "b" : "a", {0, 0, 1}, db + more, unit));
+      rows.back().weight = more > 0 ? 2 : 1;
+    }
+  const MetricSet metrics;
+  const std::vector<Figure> figures = unitFigures(summariseTests(rows, metrics), metrics);
+  QCOMPARE(figures.size(), std::size_t(1));
+  QCOMPARE(figures[0].name, std::string("units_mean_psnr_seen"));
+  const QStringList lines = QString::fromStdString(figures[0].csv).split('\n');
+  QCOMPARE(lines[0], QString("unit,percent_of_units,mean_psnr_seen,low,high"));
+  QCOMPARE(lines.size(), 5);
+  const QStringList units{"u2", "u3", "u1"};
+  for (int k = 0; k < 3; ++k) {
+    const QStringList cells = lines[k + 1].split(',');
+    QCOMPARE(cells[0], units[k]);
+    QVERIFY(std::abs(cells[1].toDouble() - 100.0 * (k + 1) / 3) < 0.01);
+    QVERIFY(std::abs(cells[2].toDouble() - (22 + 5 * k)) < 1e-6);  // (20 + 2·23)/3, …
+    QVERIFY(cells[3].toDouble() < cells[2].toDouble() && cells[2] < cells[4]);
+  }
+  const auto points = drawingsOf(figures[0].svg)[0];
+  QVERIFY(pointOf(points, "u2").number("cx") < pointOf(points, "u1").number("cx"));
+  QVERIFY(pointOf(points, "u2").number("cy") > pointOf(points, "u1").number("cy"));
+
+  rows.resize(2);
+  QVERIFY(unitFigures(summariseTests(rows, metrics), metrics).empty());
 }
 
 QTEST_APPLESS_MAIN(TestReportPlots)

@@ -10,14 +10,16 @@
 #include "page/html.h"
 #include "report/page/report_plots.h"
 #include "report/page/test_names.h"
+#include "report/page/unit_plots.h"
 
 namespace hogelscope {
 
 namespace {
 
-std::string captioned(const std::string& png, const std::string& caption) {
-  return "<figure>" + imageTag(png, caption) + "<figcaption>" + escaped(caption) +
-         "</figcaption></figure>\n";
+/// Returns a picture that leads to its file.
+std::string captioned(const std::string& png, const std::string& file, const std::string& caption) {
+  return "<figure><a href=\"" + escaped(file) + "\">" + imageTag(png, caption) +
+         "</a><figcaption>" + escaped(caption) + "</figcaption></figure>\n";
 }
 
 std::string viewFigure(const ReportView& view, const ReportRow& row) {
@@ -28,12 +30,15 @@ std::string viewFigure(const ReportView& view, const ReportRow& row) {
   if (caption[0] >= 'a' && caption[0] <= 'z') caption[0] = char(caption[0] - 'a' + 'A');
   if (view.scale > 1)
     caption += ", 1/" + std::to_string(view.scale) + " of the size of the files in views";
+  const std::string classes = view.scale > 1 ? "row views" : "row views whole";
   const std::string difference =
       view.gain == 1 ? "absolute difference"
                      : "absolute difference, " + std::to_string(view.gain) + " times as bright";
-  return "<figure><h3>" + escaped(caption) + "</h3><div class=\"row views\">\n" +
-         captioned(view.reference, "reference") + captioned(view.test, "test") +
-         captioned(view.difference, difference) + "</div></figure>\n";
+  return "<figure><h3>" + escaped(caption) + "</h3><div class=\"" + classes + "\">\n" +
+         captioned(view.reference, view.files + "_reference.png", "reference") +
+         captioned(view.test, view.files + "_test.png", "test") +
+         captioned(view.difference, view.files + "_difference.png", difference) +
+         "</div></figure>\n";
 }
 
 /// The tests of a page, of which its script shows one at a time: `ofTest` returns the part of a
@@ -71,6 +76,10 @@ std::string viewFigures(const ReportPage& page) {
   });
 }
 
+std::vector<Figure> unitsOf(const ReportPage& page) {
+  return page.isAgainstDesign ? unitFigures(page.summaries, page.metrics) : std::vector<Figure>();
+}
+
 std::string fact(const std::string& name, const std::string& value) {
   return "<tr><th scope=\"row\">" + escaped(name) + "</th><td>" + escaped(value) + "</td></tr>\n";
 }
@@ -91,6 +100,20 @@ std::string whatWasTested(const ReportPage& page) {
   std::string text = "<h2>What was tested</h2>\n<table class=\"facts\"><tbody>\n";
   for (const ReportFact& one : page.facts) text += fact(one.name, one.value);
   return text + fact("Display", displayWords(page.display)) + "</tbody></table>\n";
+}
+
+std::string overUnits(const ReportPage& page) {
+  const std::vector<Figure> figures = unitsOf(page);
+  if (figures.empty()) return {};
+  return "<h2>Over the units</h2>\n<p>Each point is a unit's mean over the states, with its 95 % "
+         "bootstrap interval; to its left are the units with lower means. The pointer over a point "
+         "shows the unit.</p>\n" +
+         sideBySide(figures);
+}
+
+std::string headingOf(const ReportPage& page) {
+  return page.isAgainstDesign ? "Units as built against the design of " + page.session
+                              : "Perceived views of " + page.session;
 }
 
 std::string overPosition(const ReportPage& page) {
@@ -172,6 +195,7 @@ std::vector<Figure> figuresOf(const ReportPage& page) {
   const auto add = [&](std::vector<Figure> more) {
     std::ranges::move(more, std::back_inserter(figures));
   };
+  add(unitsOf(page));
   const std::size_t tests = testsOf(page.rows).size();
   for (std::size_t test = 0; test < tests; ++test)
     add(cameraFigures(page.rows, test, page.display));
@@ -185,7 +209,7 @@ std::string html(const ReportPage& page) {
   const auto main =
       std::ranges::find(rates, "rate_" + page.metrics.means()[meanPsnrSeen].name, &Figure::name);
   if (main != rates.end()) std::rotate(rates.begin(), main, main + 1);
-  std::string text = "<h1>Perceived views of " + escaped(page.session) + "</h1>\n";
+  std::string text = "<h1>" + escaped(headingOf(page)) + "</h1>\n";
   for (const std::string& warning : page.warnings)
     text += "<p class=\"warning\">" + escaped(warning) + "</p>\n";
   if (!page.summaries.empty()) {
@@ -194,6 +218,7 @@ std::string html(const ReportPage& page) {
     text += meansTable(page.summaries, page.metrics);
     for (const std::string& note : page.notes) text += "<p>" + escaped(note) + ".</p>\n";
   }
+  text += overUnits(page);
   if (rates.size() > 1)
     text +=
         "<h2>Quality over rate</h2>\n<p>Means over the states with 95 % bootstrap intervals. The "

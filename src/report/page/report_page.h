@@ -15,7 +15,7 @@
 namespace hogelscope {
 
 /// The limit of the images in a page, in bytes of base64; they are scaled down to fit.
-constexpr std::size_t mostPictureBytes = 3000000;
+constexpr std::size_t mostPictureBytes = 8000000;
 
 /// The three images of a row, each as a complete PNG file.
 struct ReportView {
@@ -26,6 +26,8 @@ struct ReportView {
   std::string difference;
   int gain = 1;   ///< of the difference image
   int scale = 1;  ///< each pixel is the mean of scale × scale pixels of the files
+  /// The files of all pixels, beside the page, without their endings "_reference.png" and others.
+  std::string files{};
 };
 
 /// A line of the section "what was tested".
@@ -49,6 +51,7 @@ struct ReportPage {
   std::vector<ReportPanel> panels;      ///< of each test
   std::vector<std::string> warnings{};  ///< sentences
   std::vector<std::string> notes{};     ///< sentences on the results
+  bool isAgainstDesign = false;         ///< the tests are units of the display
 };
 
 /// Returns the figures of the page that are files too, in the page's order.

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// How the units of a report differ from each other.
+#pragma once
+
+#include <vector>
+
+#include "core/metrics/summary.h"
+#include "page/figure.h"
+
+namespace hogelscope {
+
+/// Returns the figures units_mean_psnr_seen and units_mean_move_rest: each unit's mean over the
+/// share of units whose mean is at most as large, with its interval. Means are weighted where
+/// states have weights. Empty for fewer than two units.
+std::vector<Figure> unitFigures(const std::vector<TestSummary>& summaries,
+                                const MetricSet& metrics);
+
+}  // namespace hogelscope
