@@ -30,6 +30,12 @@ def refusal(*arguments):
     return done.stderr.strip().removeprefix("hogelscope: ")
 
 
+def read(*names, mode="rb"):
+    """What a file has."""
+    with open(os.path.join(*names), mode) as file:
+        return file.read()
+
+
 def random_views(dtype=np.uint8, shape=(3, 4, 12, 10, 3)):
     """A light field of noise, in the whole range of its type."""
     random = np.random.default_rng(5)

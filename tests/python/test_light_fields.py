@@ -137,6 +137,32 @@ class LightFields(FolderTest):
         for thread in threads:
             thread.join()
 
+    def test_threads_share_a_file(self):
+        """A picture's decoder has a state, so one thread at a time reads it."""
+        views = random_views(shape=(8, 8, 60, 60, 3))
+        hogels = np.ascontiguousarray(views.transpose(2, 0, 3, 1, 4)).reshape(480, 480, 3)
+        hs.View("", hogels, np.ones(hogels.shape[:2], bool)).save(self.path("hogels.png"))
+        lf = hs.open(self.path("hogels.png"), "hogels",
+                     display={"hogels": [60, 60], "directions": [8, 8]})
+        expected = self.session.render("left", views).image
+        wrong = []
+
+        def work():
+            try:
+                if not np.array_equal(lf.array(), views):
+                    wrong.append("array")
+                if not np.array_equal(hs.Session(small_session()).render("left", lf).image, expected):
+                    wrong.append("picture")
+            except hs.InputError as error:
+                wrong.append(error)
+
+        threads = [threading.Thread(target=work) for _ in range(6)]
+        for thread in threads:
+            thread.start()
+        for thread in threads:
+            thread.join()
+        self.assertEqual(wrong, [])
+
     def test_layouts(self):
         """Each layout that the program exports is opened as the same light field."""
         document = small_session(
