@@ -80,7 +80,8 @@ void ViewPairs::readSideBySide(const ReportTest& test, const Progress& progress)
 
 void ViewPairs::read(const ReportTest& test, const Progress& progress) {
   m_test.reset();
-  if (!m_reference && mustStream(m_file, m_memory) && mustStream(*test.file, m_memory))
+  const bool areTwo = &m_file != test.file.get();  // a file has one decoder
+  if (!m_reference && areTwo && mustStream(m_file, m_memory) && mustStream(*test.file, m_memory))
     return readSideBySide(test, progress);
   const bool isFirst = !m_reference;
   if (isFirst) {

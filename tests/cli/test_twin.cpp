@@ -42,6 +42,7 @@ class TestTwin : public QObject {
   void init();
   void rendersTheUnit();
   void againstTheDesign();
+  void streamed();
   void resumes();
   void contentForTheUnit();
   void contentEvensGains();
@@ -116,6 +117,23 @@ void TestTwin::againstTheDesign() {
     QVERIFY(QFileInfo::exists(QString("out/plots/%1.svg").arg(name)));
     QCOMPARE(tableOf(QString("out/plots/%1.csv").arg(name)).size(), 4);
   }
+}
+
+/// Units read the file of the design, which has one decoder, also where it is streamed.
+void TestTwin::streamed() {
+  QCOMPARE(program({"--export", "hogels", "--session", "s.json", "--output", "content.png"}).status,
+           0);
+  writeFile("picture.json", session({}, R"({"file": "content.png"})"));
+  const auto figures = [this](const QString& folder, const QStringList& more) {
+    const Outcome outcome =
+        program(QStringList{"--report", "--session", "picture.json", "--against", "design",
+                            "--twin", "turned.json", "--output", folder} +
+                more);
+    if (outcome.status != 0) qWarning("%s", outcome.err.constData());
+    return contentOf(folder + "/metrics.csv");
+  };
+  const QByteArray whole = figures("whole", {});
+  for (int k = 0; k < 3; ++k) QCOMPARE(figures("streamed", {"--memory", "4"}), whole);
 }
 
 /// A twin's document that changed is another report.
