@@ -7,6 +7,7 @@
 #include <atomic>
 #include <chrono>
 #include <condition_variable>
+#include <csignal>
 #include <exception>
 #include <memory>
 #include <thread>
@@ -185,6 +186,15 @@ void serve(Exchange& exchange, Listener& listener) {
   exchange.isInPython = false;
 }
 
+/// Called at another signal whose handler throws, such as Ctrl-C, while the work stops: ends the
+/// process as Ctrl-C ends others if the work has not heard of it for as long as in batch mode.
+void leaveIfDeaf(std::chrono::steady_clock::time_point stopped) {
+  constexpr auto patience = std::chrono::seconds(5);
+  if (std::chrono::steady_clock::now() - stopped < patience) return;
+  std::signal(SIGINT, SIG_DFL);
+  std::raise(SIGINT);
+}
+
 }  // namespace
 
 py::object callPython(const py::object& function, const py::tuple& arguments) {
@@ -215,16 +225,20 @@ void runStoppable(const py::object& listener,
   Exchange exchange;
   Listener heard(listener);
   std::exception_ptr thrown;  // thrown by Python
+  std::chrono::steady_clock::time_point stopped;
   std::thread thread([&] { exchange.work(work); });
   ending().enter(exchange);
   while (!waitFor(exchange, thread)) {
     try {
-      // Handlers of signals are called while a stop is waited for, too.
       if (PyErr_CheckSignals() != 0) throw py::error_already_set();
       if (!thrown) serve(exchange, heard);
     } catch (...) {
       exchange.isInPython = false;
-      if (!thrown) thrown = std::current_exception();
+      if (!thrown)
+        stopped = std::chrono::steady_clock::now();
+      else
+        leaveIfDeaf(stopped);
+      thrown = std::current_exception();
       exchange.stop();
     }
   }

@@ -24,7 +24,8 @@ using InPython = std::function<void(std::function<void()> call)>;
 /// Runs the work on its own thread, while this one, which has Python's lock, waits without it.
 /// Every 20 ms it handles signals and reports progress to `listener` (None, or callable with a
 /// fraction 0 … 1); it makes the calls that the work asks for. An exception of any of these stops
-/// the work, waits for its end, and is rethrown.
+/// the work, waits for its end, and is rethrown. Work that does not hear of it ends with the
+/// process at another Ctrl-C after five seconds.
 void runStoppable(const pybind11::object& listener,
                   const std::function<void(const Progress&, const InPython&)>& work);
 void runStoppable(const pybind11::object& listener,

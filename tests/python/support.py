@@ -3,6 +3,7 @@
 
 import json
 import os
+import shutil
 import subprocess
 import tempfile
 import unittest
@@ -78,6 +79,19 @@ class FolderTest(unittest.TestCase):
                 seen = np.ones(picture.shape[:2], bool)
                 hs.View("", picture, seen).save(self.path(name, f"{v:02}_{u:02}.{ending}"))
         return self.path(name)
+
+    def write_plugins(self, *names):
+        """The tests' metrics of these names, in a folder for hs.add_plugin_folder()."""
+        build = os.path.dirname(os.path.dirname(PROGRAM))
+        with open(os.path.join(build, "plugins-2", "ms-ssim", "plugin.json")) as file:
+            document = json.load(file)
+        for name in names:
+            os.makedirs(self.path("plugins", name))
+            library = shutil.copy(os.path.join(build, "tests", "wrong_plugins", name + ".so"),
+                                  self.path("plugins", name))
+            document.update(name=name, file=name + ".so", bytes=os.path.getsize(library))
+            self.write(os.path.join("plugins", name, "plugin.json"), document)
+        return self.path("plugins")
 
     def assertSame(self, first, second):  # noqa: N802: as unittest's own
         np.testing.assert_array_equal(first, second)

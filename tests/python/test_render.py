@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Views are the program's own, byte for byte; comparisons are its reports'."""
 
-import json
 import math
 import os
 import shutil
@@ -93,17 +92,7 @@ class Render(FolderTest):
 
     def test_what_metrics_are_told(self):
         """Values before rounding where a view has them, and from where it was seen."""
-        build = os.path.dirname(os.path.dirname(os.environ["HOGELSCOPE_PROGRAM"]))
-        with open(os.path.join(build, "plugins-2", "ms-ssim", "plugin.json")) as file:
-            document = json.load(file)
-        for name in ("reference", "pixels"):
-            os.makedirs(self.path("p", name))
-            library = shutil.copy(os.path.join(build, "tests", "wrong_plugins", name + ".so"),
-                                  self.path("p", name))
-            document.update(name=name, file=name + ".so", bytes=os.path.getsize(library))
-            with open(self.path("p", name, "plugin.json"), "w") as file:
-                json.dump(document, file)
-        hs.add_plugin_folder(self.path("p"))
+        hs.add_plugin_folder(self.write_plugins("reference", "pixels"))
         v = hs.Session(TABLE1).render("Fig 1")
         told = hs.compare(v, v, metrics=["reference", "pixels"])
         self.assertAlmostEqual(told["reference"], v.values.mean(dtype=float), places=9)

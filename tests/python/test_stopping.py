@@ -234,19 +234,18 @@ class Stopping(FolderTest):
             self.small_report(keeps_one)
         self.assertEqual(len(kept), 1)
 
-    def test_handlers_are_called_while_a_stop_is_waited_for(self):
-        """Progress that raises stops the work; signals are heard meanwhile and afterwards."""
-        heard = []
-        before = signal.signal(signal.SIGUSR1, lambda *_: heard.append(1))
-        self.addCleanup(signal.signal, signal.SIGUSR1, before)
-
-        def tell(_):
-            os.kill(os.getpid(), signal.SIGUSR1)
-            raise Enough
-
-        with self.assertRaises(Enough):
-            slow_session().render("Fig 4", progress=tell)
-        self.assertEqual(len(heard), 1)
+    def test_another_interrupt_leaves_deaf_work(self):
+        """A plugin that hears nothing for long does not keep its process."""
+        script = ("import sys, numpy as np, hogelscope as hs; hs.add_plugin_folder(sys.argv[1]);"
+                  "black = np.zeros((20, 20, 3), np.uint8); print('begun', flush=True);"
+                  "hs.compare(black, black, metrics='deaf')")
+        with subprocess.Popen([sys.executable, "-c", script, self.write_plugins("deaf")],
+                              stdout=subprocess.PIPE, text=True) as child:
+            self.assertEqual(child.stdout.readline(), "begun\n")
+            while child.poll() is None:
+                time.sleep(0.5)
+                child.send_signal(signal.SIGINT)
+        self.assertEqual(child.returncode, -signal.SIGINT)
 
     def test_daemon_threads_in_python_end_with_it(self):
         """In a metric, and in progress; also in a view that these asked for."""

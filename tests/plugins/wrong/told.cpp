@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A metric that returns WHAT of what it is told. Nothing is wrong with it.
+// A metric that returns WHAT of what it is told. Nothing is wrong with it, unless that waits.
 #include <hogelscope/plugin.h>
+#include <unistd.h>
 
 #include <numeric>
 
