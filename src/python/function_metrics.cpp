@@ -290,9 +290,14 @@ std::vector<Metric> FunctionMetrics::metricsOf(const std::shared_ptr<FunctionMet
   return metrics;
 }
 
-void FunctionMetrics::forget(const fs::path& folder) const {
+void FunctionMetrics::forget(const fs::path& folder) {
+  try {
+    requireOwnFile(fileOf(folder), fileHead);
+  } catch (const InputError&) {
+    return;  // a user's
+  }
   std::error_code none;
-  if (!m_all.empty()) fs::remove(fileOf(folder), none);
+  fs::remove(fileOf(folder), none);
 }
 
 }  // namespace hogelscope

@@ -37,8 +37,8 @@ class FunctionMetrics {
   /// Returns the metrics, which keep `self`. A function is called without any other at the same
   /// time; what it raises, or returns in place of numbers, is an InputError and stops the work.
   static std::vector<Metric> metricsOf(const std::shared_ptr<FunctionMetrics>& self);
-  /// Removes what findColumns() kept in the report's folder, once that is finished.
-  void forget(const std::filesystem::path& folder) const;
+  /// Removes what a report in the folder kept of the columns, once it is finished.
+  static void forget(const std::filesystem::path& folder);
 
  private:
   struct One;

@@ -214,7 +214,7 @@ py::tuple report(const Document& document, const LightChoice& lightField, const 
     ReportListener listener;
     listener.progress = part(hear, 0.05, 1);
     result.emplace(makeReport(request, listener), request.metrics, warningsOf(request));
-    called->forget(output);
+    FunctionMetrics::forget(output);
   });
   const auto& [made, metrics, warnings] = *result;
   py::list rows, bd;

@@ -139,6 +139,11 @@ class Metrics(FolderTest):
             hs.report(self.session, {"c": self.coded}, output=self.path(name))
             self.assertEqual(read(columns), b"notes")
             self.assertEqual(os.path.islink(columns), name == "link")
+        os.mkdir(self.path("own"))
+        with open(self.path("own", "report.columns"), "w", encoding="utf-8") as file:
+            file.write("hogelscope columns of metrics 1\nm,m\n")  # of a report that was given up
+        hs.report(self.session, {"c": self.coded}, output=self.path("own"))
+        self.assertFalse(os.path.exists(self.path("own", "report.columns")))
 
 
 if __name__ == "__main__":
