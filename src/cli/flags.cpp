@@ -239,26 +239,28 @@ FlagGroup content() {
 }
 
 FlagGroup resources() {
-  return {"How the work is done",
-          {{.name = "memory",
-            .value = "MB",
-            .jobs = {window, render, report, pack, exportAs, tradeoff, measure, sweep, depth},
-            .range = NumberRange{.min = 0.001, .max = 1e9},
-            .help = "Megabytes for light fields, a quarter of the machine's by default; the window "
-                    "takes it too. What needs more is read piece by piece, or from the top once."},
-           {.name = "threads",
-            .value = "N",
-            .jobs = {render, report, generate, pack, exportAs, tradeoff, stability, measure, sweep,
-                     depth},
-            .range = NumberRange{.min = 1, .isInteger = true},
-            .help = "Threads to work with; all by default."},
-           {.name = "budget",
-            .value = "SECONDS",
-            .jobs = {tradeoff},
-            .range = NumberRange{.min = 0.001, .max = 1e6},
-            .help = "How long the job may take, 60 by default: what is slow is measured once and "
-                    "on fewer pixels, what is fast until its time is known to two per cent."},
-           {.name = "quiet", .jobs = writing, .help = "Prints nothing but errors."}}};
+  return {
+      "How the work is done",
+      {{.name = "memory",
+        .value = "MB",
+        .jobs = {window, render, report, makeTwin, pack, exportAs, tradeoff, measure, sweep, depth},
+        .range = NumberRange{.min = 0.001, .max = 1e9},
+        .help = "Megabytes for light fields and units, a quarter of the machine's by default, or "
+                "of its container's; the window takes it too. What needs more is read piece by "
+                "piece, or from the top once, or refused."},
+       {.name = "threads",
+        .value = "N",
+        .jobs = {render, report, generate, pack, exportAs, tradeoff, stability, measure, sweep,
+                 depth},
+        .range = NumberRange{.min = 1, .isInteger = true},
+        .help = "Threads to work with; all by default."},
+       {.name = "budget",
+        .value = "SECONDS",
+        .jobs = {tradeoff},
+        .range = NumberRange{.min = 0.001, .max = 1e6},
+        .help = "How long the job may take, 60 by default: what is slow is measured once and "
+                "on fewer pixels, what is fast until its time is known to two per cent."},
+       {.name = "quiet", .jobs = writing, .help = "Prints nothing but errors."}}};
 }
 
 }  // namespace

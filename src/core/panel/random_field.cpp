@@ -58,22 +58,29 @@ double normalAt(std::uint32_t seed, std::uint32_t what, int i, int j) {
 }
 
 std::vector<float> randomField(std::uint32_t seed, std::uint32_t what, double length,
-                               const GridPart& part) {
+                               const GridPart& part, const Progress& progress) {
   const std::vector<double> weights = length > 0 ? weightsOf(length) : std::vector<double>{1};
   const int reach = static_cast<int>(weights.size()) - 1;
   const auto width = std::size_t(part.width) + 2 * std::size_t(reach);
   const auto height = std::size_t(part.height) + 2 * std::size_t(reach);
   std::vector<double> draws;
   draws.reserve(width * height);
-  for (int j = part.j - reach; j < part.j + part.height + reach; ++j)
+  for (int j = part.j - reach; j < part.j + part.height + reach; ++j) {
+    throwIfCancelled(progress);
     for (int i = part.i - reach; i < part.i + part.width + reach; ++i)
       draws.push_back(normalAt(seed, what, i, j));
+  }
   std::vector<double> rows(draws.size());
-  for (std::size_t j = 0; j < height; ++j)
+  for (std::size_t j = 0; j < height; ++j) {
+    throwIfCancelled(progress);
     filterLine(&draws[j * width], 1, part.width, weights, &rows[j * width]);
-  for (std::size_t i = 0; i < std::size_t(part.width); ++i)
+  }
+  for (std::size_t i = 0; i < std::size_t(part.width); ++i) {
+    throwIfCancelled(progress);
     filterLine(&rows[i], width, part.height, weights, &draws[i]);
+  }
   std::vector<float> field;
+  field.reserve(std::size_t(part.width) * std::size_t(part.height));
   for (int j = 0; j < part.height; ++j)
     for (int i = 0; i < part.width; ++i)
       field.push_back(static_cast<float>(draws[std::size_t(j) * width + std::size_t(i)]));

@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/base/progress.h"
+
 namespace hogelscope {
 
 /// Cells [i, i + width) × [j, j + height) of a grid without borders.
@@ -21,8 +23,8 @@ double normalAt(std::uint32_t seed, std::uint32_t what, int i, int j);
 
 /// Returns draws row by row, of mean 0 and variance 1, whose correlation at the distance d is
 /// exp(−d²/length²), both in cells, from a length of about 1.5 on: independent ones filtered by a
-/// Gaussian of s = length/2, divided by √Σw². `length` 0: independent.
+/// Gaussian of s = length/2, divided by √Σw². `length` 0: independent. Throws Cancelled.
 std::vector<float> randomField(std::uint32_t seed, std::uint32_t what, double length,
-                               const GridPart& part);
+                               const GridPart& part, const Progress& progress = {});
 
 }  // namespace hogelscope

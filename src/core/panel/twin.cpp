@@ -43,14 +43,14 @@ bool isOutside(double index, int count) {
 
 }  // namespace
 
-Twin::Twin(TwinParams params, TwinMaps maps, const PanelParams& design)
+Twin::Twin(TwinParams params, TwinMaps maps, const PanelParams& design, const Progress& progress)
     : m_params(std::move(params)),
       m_maps(std::move(maps)),
       m_design(design),
       m_size{design.hogels[0], design.hogels[1], design.directions[0], design.directions[1]},
       m_lenses{lensOf(design, 0), lensOf(design, 1)} {
   prepareArray();
-  prepareHogels();
+  prepareHogels(progress);
   if (hasDead()) prepareDead();
   checkKernels();
   checkDirections();
@@ -133,12 +133,26 @@ void Twin::prepareArray() {
   m_array.focal = errors.focalError;
 }
 
-void Twin::prepareHogels() {
+double Twin::bytesFor(const TwinParams& params, const PanelParams& design) {
+  constexpr double ofErrors = 48;  // their table, the draws, and what filters these
+  constexpr double ofGains = 24;
+  const auto [nx, ny] = design.hogels;
+  const auto [du, dv] = design.directions;
+  const double hogels = double(nx) * ny;
+  const bool hasMap = !params.maps.hogels.empty();
+  double bytes = 0;
+  if (hasMap || params.random.shift.sigma > 0) bytes += ofErrors * hogels;
+  if (hasMap || params.random.gain.sigma > 0) bytes += ofGains * hogels;
+  if (params.dead != DeadParts{}) bytes += hogels + double(nx) * du + double(ny) * dv;
+  return bytes;
+}
+
+void Twin::prepareHogels(const Progress& progress) {
   const auto [nx, ny] = m_design.hogels;
   const auto& [seed, shift, gain] = m_params.random;
   const auto draws = [&, seed = seed, nx = nx, ny = ny](Draw what, const RandomErrors& errors) {
-    return errors.sigma > 0 ? randomField(std::uint32_t(seed), what, errors.length, {0, 0, nx, ny})
-                            : std::vector<float>{};
+    if (!(errors.sigma > 0)) return std::vector<float>{};
+    return randomField(std::uint32_t(seed), what, errors.length, {0, 0, nx, ny}, progress);
   };
   const std::vector<float> drawnX = draws(drawnShiftX, shift);
   const std::vector<float> drawnY = draws(drawnShiftY, shift);
@@ -149,7 +163,11 @@ void Twin::prepareHogels() {
   const bool hasErrors = !drawnX.empty() || !m_maps.shiftX.isEmpty() || !m_maps.shiftY.isEmpty() ||
                          !m_maps.tiltX.isEmpty() || !m_maps.tiltY.isEmpty() ||
                          !m_maps.gap.isEmpty();
-  for (int j = 0; j < ny; ++j)
+  const std::size_t hogels = std::size_t(nx) * std::size_t(ny);
+  if (hasErrors) m_hogels.reserve(hogels);
+  if (hasGains) m_gains.reserve(hogels);
+  for (int j = 0; j < ny; ++j) {
+    throwIfCancelled(progress);
     for (int i = 0; i < nx; ++i) {
       const std::size_t at = std::size_t(j) * std::size_t(nx) + std::size_t(i);
       const auto given = [&, nx = nx, ny = ny](const TwinPlane& plane) {
@@ -166,6 +184,7 @@ void Twin::prepareHogels() {
       for (std::size_t c = 0; c < 3; ++c)
         gains[c] = std::max(0.0F, factor) * (m_maps.gain[c].isEmpty() ? 1 : given(m_maps.gain[c]));
     }
+  }
 }
 
 /// The move m of a direction, and how it grows for each direction across and down.

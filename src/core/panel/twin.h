@@ -56,8 +56,10 @@ struct LensArrayMap {
 
 class Twin {
  public:
-  /// `design` has its hogels and directions. Throws InputError (twin.…) if a map folds.
-  Twin(TwinParams params, TwinMaps maps, const PanelParams& design);
+  /// `design` has its hogels and directions. Throws InputError (twin.…) if a map folds, Cancelled.
+  Twin(TwinParams params, TwinMaps maps, const PanelParams& design, const Progress& progress = {});
+  /// Returns the bytes that a unit of this design takes while it is made, without its maps.
+  [[nodiscard]] static double bytesFor(const TwinParams& params, const PanelParams& design);
   [[nodiscard]] const TwinParams& params() const { return m_params; }
 
   /// Whether rays meet other pixels than in the design.
@@ -169,7 +171,7 @@ class Twin {
   }
   void prepareDead();
   void prepareArray();
-  void prepareHogels();
+  void prepareHogels(const Progress& progress);
   void prepareKernels();
   [[nodiscard]] HogelErrors errorsOf(int i, int j) const;
   struct Move;

@@ -97,8 +97,8 @@ int samplesFor(const QSize& size) {
 
 QImage scenePicture(vtkGenericOpenGLRenderWindow& window, const QSize& size) {
   constexpr std::size_t bytesPerPixel = 24;  // colour, depth and their copies
-  checkFits(bytesPerPixel * std::size_t(size.width()) * std::size_t(size.height()),
-            "the scene's picture", {});
+  checkFits(double(bytesPerPixel) * size.width() * size.height(), "the scene's picture",
+            "choose a smaller size");
   window.MakeCurrent();
   const int largest = vtkTextureObject::GetMaximumTextureSize(&window);
   if (std::max(size.width(), size.height()) > largest)

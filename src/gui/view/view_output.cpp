@@ -33,7 +33,8 @@ bool holdsFloats(const QString& file) {
 void writeView(const RenderJob& job, const QString& file, const Progress& progress) {
   const auto [width, height] = job.state.camera.res;
   const fs::path path = file.toStdString();
-  checkFits(std::size_t(width) * std::size_t(height) * 2 * sizeof(std::array<float, 3>), path, {});
+  checkFits(double(width) * height * 2 * sizeof(std::array<float, 3>), path,
+            "choose a smaller size");
   checkWritable(path.has_parent_path() ? path.parent_path() : ".");
   const Progress rendering = part(progress, 0, 0.9);
   Renderer renderer;

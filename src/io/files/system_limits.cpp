@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/files/system_limits.h"
 
+#include <sys/resource.h>
 #include <sys/statvfs.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <atomic>
+#include <fstream>
+#include <iterator>
+#include <sstream>
 
 #include "core/base/error.h"
 #include "core/base/text.h"
@@ -19,15 +24,50 @@ std::atomic<std::size_t> theAllowedMemory = 0;
 
 }  // namespace
 
-std::size_t machineMemory() {
-  return std::size_t(::sysconf(_SC_PHYS_PAGES)) * std::size_t(::sysconf(_SC_PAGESIZE));
+std::optional<std::size_t> memoryOfGroups(const std::string& groups, const fs::path& root) {
+  std::optional<std::size_t> least;
+  std::istringstream lines(groups);
+  for (std::string line; std::getline(lines, line);) {
+    // HIERARCHY:CONTROLLERS:PATH; version 2 has no controllers here.
+    const std::size_t first = line.find(':');
+    const std::size_t second = line.find(':', first + 1);
+    if (first == line.npos || second == line.npos) continue;
+    const std::string controllers = line.substr(first + 1, second - first - 1);
+    if (!controllers.empty() && controllers != "memory") continue;
+    const fs::path top = controllers.empty() ? root : root / "memory";
+    const char* const name = controllers.empty() ? "memory.max" : "memory.limit_in_bytes";
+    // The limits of all groups around it count, too. In a container they may be above its root.
+    fs::path group = fs::path(line.substr(second + 1)).relative_path();
+    for (;; group = group.parent_path()) {
+      std::size_t limit = 0;
+      if (std::ifstream(top / group / name) >> limit)
+        least = std::min(limit, least.value_or(limit));
+      if (group.empty()) break;
+    }
+  }
+  return least;
 }
 
-void checkFits(std::size_t bytes, const fs::path& file, const std::string& hint) {
-  if (double(bytes) > 0.9 * double(machineMemory()))
+std::size_t machineMemory() {
+  static const std::size_t memory = [] {
+    std::size_t least =
+        std::size_t(::sysconf(_SC_PHYS_PAGES)) * std::size_t(::sysconf(_SC_PAGESIZE));
+    std::ifstream file("/proc/self/cgroup");
+    const std::string groups{std::istreambuf_iterator<char>(file), {}};
+    least = std::min(least, memoryOfGroups(groups, "/sys/fs/cgroup").value_or(least));
+    struct rlimit limit {};
+    if (::getrlimit(RLIMIT_AS, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY)
+      least = std::min(least, std::size_t(limit.rlim_cur));
+    return least;
+  }();
+  return memory;
+}
+
+void checkFits(double bytes, const fs::path& file, const std::string& advice, std::size_t allowed) {
+  if (bytes > double(allowed))
     throw InputError(file.string(), "size",
-                     "needs " + bytesText(bytes) + " of memory, this machine has " +
-                         bytesText(machineMemory()) + hint);
+                     "needs " + bytesText(std::size_t(std::min(bytes, 1e18))) + " of memory, " +
+                         bytesText(allowed) + " are allowed: " + advice);
 }
 
 std::size_t allowedMemory() noexcept {

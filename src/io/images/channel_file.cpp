@@ -14,7 +14,7 @@ ChannelFile::ChannelFile(const std::filesystem::path& file)
     : m_file(file), m_input(openPicture(file)) {}
 
 std::vector<float> ChannelFile::read(std::size_t channel, const Progress& progress) {
-  checkFits(width() * height() * sizeof(float), m_file, "");
+  checkFits(double(width() * height() * sizeof(float)), m_file);
   std::vector<float> values;
   values.reserve(width() * height());  // memory that a truncated file does not fill is not taken
   const std::size_t band = m_input->facts().bandRows;

@@ -92,7 +92,8 @@ class PngInput : public RowInput {
     if (!m_isInterlaced)
       return check(spng_decode_image(m_context.get(), nullptr, 0, m_format,
                                      flags | SPNG_DECODE_PROGRESSIVE));
-    checkFits(m_rowBytes * m_facts.height, m_file, ", all of it, since it is interlaced");
+    checkFits(double(m_rowBytes * m_facts.height), m_file,
+              "it is interlaced, so all of it is read at once: save it without, or allow more");
     m_decoded.resize(m_rowBytes * m_facts.height);
     check(spng_decode_image(m_context.get(), m_decoded.data(), m_decoded.size(), m_format, flags));
   }

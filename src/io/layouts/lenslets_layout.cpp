@@ -29,7 +29,7 @@ T stored(double value) {
 
 /// Reads an image as the mean of its channels.
 LensletPlane readGreyPlane(ImageFile& image, const Progress& progress) {
-  checkFits(sizeof(float) * image.width() * image.height(), image.file(), {});
+  checkFits(double(sizeof(float) * image.width() * image.height()), image.file());
   LensletPlane plane{int(image.width()), int(image.height()), {}};
   plane.values.reserve(image.width() * image.height());
   image.readRows(
@@ -57,7 +57,7 @@ LensletPlane readPlaneLike(const std::string& file, const ImageFile& like,
 LensletLight readLight(ImageFile& image, const LensletPlane& dark, const LensletPlane& white,
                        double gain, const Progress& progress) {
   const std::size_t channels = image.channels() < 3 ? 1 : 3;
-  checkFits(sizeof(float) * channels * image.width() * image.height(), image.file(), {});
+  checkFits(double(sizeof(float) * channels * image.width() * image.height()), image.file());
   LensletLight light{int(image.width()), int(image.height()), channels, {}};
   light.values.reserve(channels * image.width() * image.height());
   image.readRows(

@@ -10,8 +10,14 @@ namespace hogelscope {
 
 namespace fs = std::filesystem;
 
-std::shared_ptr<const LightFieldSource> LightFieldFile::source(const SourceUse& /*use*/,
+std::shared_ptr<const LightFieldSource> LightFieldFile::source(const SourceUse& use,
                                                                const Progress& progress) {
+  if (!fitsInMemory(*this, use.memory)) {
+    const std::vector<fs::path> all = files();
+    const double texels = double(size().width()) * double(size().height());
+    checkFits(texels * double(memoryBytes(type())), all.empty() ? "" : all.front(), packIt,
+              use.memory);
+  }
   return std::make_shared<const LightField>(read(progress));
 }
 
@@ -41,19 +47,19 @@ void handOutRow(const LightField& lightField, int j, int v, const LightFieldFile
 }
 
 LightField blankLightField(const LightFieldSize& size, StoredType type, const fs::path& file,
-                           const std::string& hint) {
+                           const std::string& advice) {
   try {
-    checkFits(LightField::bytes(size, type), file, hint);
+    checkFits(double(LightField::bytes(size, type)), file, advice);
     return {size, type};
   } catch (const std::length_error&) {
     throw InputError(file.string(), "size",
-                     "is more than 2^32 directional pixels in memory" + hint);
+                     "is more than 2^32 directional pixels in memory: " + advice);
   }
 }
 
-LightField LightFieldFile::readStreamed(const std::filesystem::path& file, const std::string& hint,
-                                        const Progress& progress) {
-  LightField lightField = blankLightField(size(), type(), file, hint);
+LightField LightFieldFile::readStreamed(const std::filesystem::path& file,
+                                        const std::string& advice, const Progress& progress) {
+  LightField lightField = blankLightField(size(), type(), file, advice);
   const auto [nx, ny, du, dv] = size();
   stream(
       [&, nx = nx, du = du](int j, int v, const StoredRows& row) {

@@ -58,9 +58,9 @@ class LightFieldFile {
   virtual void stream(const HogelRow& row, const Progress& progress) = 0;
 
  protected:
-  /// Reads the light field by stream(). `file` and `hint` are for blankLightField().
-  [[nodiscard]] LightField readStreamed(const std::filesystem::path& file, const std::string& hint,
-                                        const Progress& progress);
+  /// Reads the light field by stream(). `file` and `advice` are for blankLightField().
+  [[nodiscard]] LightField readStreamed(const std::filesystem::path& file,
+                                        const std::string& advice, const Progress& progress);
 };
 
 /// Whether the whole light field takes at most `memory` bytes.
@@ -71,11 +71,12 @@ void handOutRow(const LightField& texels, int j, int v, const LightFieldFile::Ho
                 int to);
 
 /// Advice for a light field that is too large.
-inline constexpr const char* packIt = ": pack it into a store, and use that";
+inline constexpr const char* packIt = "allow more, or pack it into a store and use that";
 
-/// Returns a black light field, to be filled. Throws InputError that names the file if the
-/// machine's memory is too small; `hint` is advice for the user.
+/// Returns a black light field, to be filled. Throws InputError that names the file if it does not
+/// fit into the allowed memory, with advice.
 LightField blankLightField(const LightFieldSize& size, StoredType type,
-                           const std::filesystem::path& file, const std::string& hint = {});
+                           const std::filesystem::path& file,
+                           const std::string& advice = "allow more");
 
 }  // namespace hogelscope

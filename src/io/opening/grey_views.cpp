@@ -26,7 +26,7 @@ GreyPicture readGrey(const std::filesystem::path& file, const YuvParams& yuv,
                      const Progress& progress = {}) {
   ImageFile image(file, yuv);
   GreyPicture picture{int(image.width()), int(image.height()), {}};
-  checkFits(image.width() * image.height(), file, {});
+  checkFits(double(image.width() * image.height()), file);
   picture.values.reserve(image.width() * image.height());
   const auto take = [&](std::size_t, std::size_t rows, const StoredRows& values) {
     const auto addAll = [&](const auto* rgb) {
@@ -42,7 +42,7 @@ GreyPicture readGrey(const std::filesystem::path& file, const YuvParams& yuv,
 FloatImage readColours(const std::filesystem::path& file, const YuvParams& yuv,
                        const Progress& progress) {
   ImageFile image(file, yuv);
-  checkFits(3 * sizeof(float) * image.width() * image.height(), file, {});
+  checkFits(double(3 * sizeof(float) * image.width() * image.height()), file);
   FloatImage picture(int(image.width()), int(image.height()));
   auto to = picture.rgb.begin();
   image.readRows(

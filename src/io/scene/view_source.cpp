@@ -12,6 +12,7 @@
 #include "io/documents/session_file.h"
 #include "io/files/files_in_use.h"
 #include "io/files/folders.h"
+#include "io/files/system_limits.h"
 #include "io/plugins/plugin_library.h"
 #include "io/scene/live_file.h"
 #include "io/scene/woven_file.h"
@@ -163,10 +164,12 @@ bool readTheSame(const Session& a, const Session& b) {
 }
 
 std::shared_ptr<const Twin> twinOf(const TwinParams& params, const PanelParams& display,
-                                   std::vector<std::string>* warnings) {
+                                   std::vector<std::string>* warnings, const Progress& progress) {
   if (params.isZero()) return nullptr;
-  return std::make_shared<const Twin>(params, readTwinMaps(params.maps, display, {}, warnings),
-                                      display);
+  checkFits(Twin::bytesFor(params, display), "twin");
+  const Progress stop = progress ? Progress([&](double) { return progress(0); }) : Progress();
+  return std::make_shared<const Twin>(params, readTwinMaps(params.maps, display, stop, warnings),
+                                      display, stop);
 }
 
 ViewSource unloadedViewSource(const Session& session, const LightFieldFile& file) {
@@ -190,7 +193,8 @@ ViewSource loadViewSource(const Session& session, const Progress& progress, cons
 ViewSource loadViewSource(const Session& session, LightFieldFile& file, const Progress& progress,
                           const SourceUse& use) {
   const PanelParams display = resolved(displayOf(session), file.size());
-  auto twin = twinOf(session.twin, display);  // before the light field is read
+  // Before the light field is read.
+  auto twin = twinOf(session.twin, display, nullptr, progress);
   ViewSource source{file.source(use, progress), display, session.sampling};
   source.twin = std::move(twin);
   source.files = std::make_shared<const FilesInUse>(filesOf(session, file));

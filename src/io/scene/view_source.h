@@ -50,9 +50,11 @@ struct ViewSource {
 };
 
 /// Reads a twin's maps for a display with its hogels and directions. Returns null for one without
-/// errors. What is assumed of the maps is added to `warnings`. Throws InputError.
+/// errors. What is assumed of the maps is added to `warnings`. Throws InputError (also if its
+/// hogels do not fit into the allowed memory), Cancelled.
 std::shared_ptr<const Twin> twinOf(const TwinParams& params, const PanelParams& display,
-                                   std::vector<std::string>* warnings = nullptr);
+                                   std::vector<std::string>* warnings = nullptr,
+                                   const Progress& progress = {});
 
 /// Reads the session's light field, or opens it if it is a store that is larger than `use.memory`
 /// bytes, or a live scene. Throws InputError, or Cancelled.

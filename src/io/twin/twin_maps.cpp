@@ -156,8 +156,7 @@ TwinPlane movesOf(const MeasuredDirections& table, std::size_t axis, const Panel
 void readTable(const fs::path& path, const PanelParams& design, TwinMaps& maps,
                std::vector<std::string>* warnings) {
   constexpr std::size_t bytes = 500;  // of a direction: the table, five planes, the fit's matrices
-  checkFits(bytes * std::size_t(design.directions[0]) * std::size_t(design.directions[1]), path,
-            "");
+  checkFits(double(bytes) * design.directions[0] * design.directions[1], path);
   const std::string text = readTextFile(path);
   MeasuredDirections table =
       inFile(path.string(), [&] { return parseMeasuredDirections(text, design.directions); });
@@ -193,6 +192,7 @@ void readKernels(const fs::path& path, TwinMaps& maps, const Progress& progress)
   ImageFile file(path);
   if (file.width() > largest || file.height() > largest)
     throw InputError(path.string(), "size", "is above 16384 px across or down");
+  checkFits(3.0 * sizeof(float) * double(file.width() * file.height()), path);
   for (TwinPlane& plane : maps.kernels)
     plane = {int(file.width()), int(file.height()),
              std::vector<float>(file.width() * file.height())};
