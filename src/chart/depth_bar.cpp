@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "chart/depth_bar.h"
 
-#include <QLocale>
 #include <algorithm>
 #include <cmath>
 
@@ -10,7 +9,7 @@ namespace hogelscope {
 QString inCentimetres(double depth) {
   const double size = 100 * std::abs(depth);
   return (depth < 0 ? "−" : "+") +
-         (std::isfinite(size) ? QLocale().toString(size, 'f', size < 10 ? 1 : 0) : "∞");
+         (std::isfinite(size) ? QString::number(size, 'f', size < 10 ? 1 : 0) : "∞");
 }
 
 void paintDepthBar(QPainter& painter, const QSizeF& size, const DesignNumbers& numbers,

@@ -73,7 +73,8 @@ const std::map<QString, QStringList>& allowedRooms() {
 }
 
 /// Headers of libraries that a folder of src must not include. The simulation includes the standard
-/// library's, which have no folder and no ending, and the one of huge pages.
+/// library's, which have no folder and no ending, and the one of huge pages. Charts and pictures
+/// are files, too, whose bytes do not depend on the user's language.
 const std::map<QString, QString>& foreignHeaders() {
   static const std::map<QString, QString> headers{
       {"core", R"(^(?!sys/mman\.h$).*[./])"},
@@ -82,8 +83,8 @@ const std::map<QString, QString>& foreignHeaders() {
       {"vtk", "^(Q[A-Z]|opencv|OpenImageIO|nlohmann)"},
       {"study", "^(Q[A-Z]|vtk|OpenImageIO|nlohmann)"},
       {"measure", "^(Q[A-Z]|vtk|opencv|OpenImageIO)"},
-      {"chart", "^(vtk|opencv|OpenImageIO|nlohmann)"},
-      {"picture", "^(vtk|opencv|OpenImageIO|nlohmann)"},
+      {"chart", "^(QLocale$|vtk|opencv|OpenImageIO|nlohmann)"},
+      {"picture", "^(QLocale$|vtk|opencv|OpenImageIO|nlohmann)"},
       {"campaign", "^(Q[A-Z]|vtk|opencv|OpenImageIO)"},
       {"page", R"([./])"},
       {"report", "^(Q[A-Z]|vtk|opencv|OpenImageIO|nlohmann)"},
