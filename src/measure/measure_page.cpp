@@ -204,11 +204,6 @@ void addMatrix(const std::vector<MeasuredFigure>& figures, std::vector<Figure>& 
                    pointsOf(all, "seen", "lit")});
 }
 
-std::string number(double value) {
-  if (std::isnan(value)) return "–";
-  return std::isinf(value) ? "∞" : numberText(fourDigits(value));
-}
-
 /// Whether a figure belongs into the table: its name has few places.
 bool isInTable(const MeasuredFigure& one, const std::map<std::string, int>& counts) {
   return counts.at(one.of.figure) <= 20 || one.of.where.starts_with("whole") ||
@@ -227,8 +222,9 @@ std::string tableOf(const std::vector<MeasuredFigure>& figures) {
   std::vector<std::vector<std::string>> rows;
   for (const MeasuredFigure& one : figures) {
     if (!isInTable(one, counts)) continue;
-    rows.push_back({one.of.figure, one.of.where, number(one.value), one.of.unit,
-                    number(one.of.closedForm), number(one.difference())});
+    const auto [unit, factor] = readUnitOf(one);
+    rows.push_back({one.of.figure, one.of.where, readValue(factor * one.value), unit,
+                    readValue(factor * one.of.closedForm), readValue(factor * one.difference())});
     text += "<tr>";
     for (std::size_t k = 0; k < rows.back().size(); ++k)
       text += (k == 2 || k > 3 ? "<td class=\"n\">" : "<td>") + escaped(rows.back()[k]) + "</td>";
@@ -258,16 +254,16 @@ std::string facts(const MeasureRequest& request, const Bench& bench) {
   };
   const PanelParams& display = request.display;
   const Vec3& eye = bench.eye();
-  const std::string shown = bench.sheet() != nullptr
-                                ? number(display.directions[0]) + " views under a lens sheet of " +
-                                      number(1000 * bench.pitch(0)) + " mm, " +
-                                      pair(display.hogels) + " px, cone " +
-                                      numberText(display.fov[0])
-                                : pair(display.hogels) + " hogels of " + pair(display.directions) +
-                                      " directions, field of view " + pair(display.fov);
+  const std::string shown =
+      bench.sheet() != nullptr
+          ? readValue(display.directions[0]) + " views under a lens sheet of " +
+                readValue(1000 * bench.pitch(0)) + " mm, " + pair(display.hogels) + " px, cone " +
+                numberText(display.fov[0])
+          : pair(display.hogels) + " hogels of " + pair(display.directions) +
+                " directions, field of view " + pair(display.fov);
   return "<p>" + pair(display.size) + " m, " + shown + "°. Eye of the state “" +
-         escaped(request.session.cameras.front().camera.name) + "” at (" + number(eye.x) + ", " +
-         number(eye.y) + ", " + number(eye.z) + ") m of the panel; leakage " +
+         escaped(request.session.cameras.front().camera.name) + "” at (" + readValue(eye.x) + ", " +
+         readValue(eye.y) + ", " + readValue(eye.z) + ") m of the panel; leakage " +
          (bench.psf().windowSize > 1 ? "σ " + numberText(bench.psf().sigma) + " in " +
                                            std::to_string(bench.psf().windowSize)
                                      : std::string("none")) +
@@ -278,6 +274,18 @@ std::string facts(const MeasureRequest& request, const Bench& bench) {
 }
 
 }  // namespace
+
+ReadUnit readUnitOf(const MeasuredFigure& one) {
+  constexpr double decimetre = 0.1;
+  const double value = std::isnan(one.value) ? one.of.closedForm : one.value;
+  if (one.of.unit == "m" && std::abs(value) < decimetre) return {"mm", 1000};
+  return {one.of.unit};
+}
+
+std::string readValue(double value) {
+  if (std::isnan(value)) return "–";
+  return std::isinf(value) ? "∞" : numberText(fourDigits(value));
+}
 
 std::vector<Figure> plotsOf(const Bench& bench, const std::vector<MeasuredFigure>& figures) {
   std::vector<Figure> plots;

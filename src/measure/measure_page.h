@@ -19,6 +19,15 @@ MapPlot zoneMap(const Bench& bench, const std::vector<MeasuredFigure>& figures);
 /// Returns the plots of all figures that have several places.
 std::vector<Figure> plotsOf(const Bench& bench, const std::vector<MeasuredFigure>& figures);
 
+/// A length below a decimetre is read in mm; other values are read in their own unit.
+struct ReadUnit {
+  std::string name;
+  double factor = 1;  ///< of values
+};
+ReadUnit readUnitOf(const MeasuredFigure& one);
+/// Returns a value with four digits that count; "∞" and, for NaN, a dash.
+std::string readValue(double value);
+
 /// Returns measure.html.
 std::string measurePage(const MeasureRequest& request, const Bench& bench,
                         const std::vector<MeasuredFigure>& figures);

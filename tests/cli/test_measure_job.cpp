@@ -37,6 +37,7 @@ class TestMeasureJob : public QObject {
  private Q_SLOTS:
   void init();
   void writesItsFiles();
+  void readsWell();
   void goesOnAndShares();
   void ofRealDisplays_data();
   void ofRealDisplays();
@@ -132,6 +133,27 @@ void TestMeasureJob::writesItsFiles() {
                            "diffraction"})
     QVERIFY2(figures.remove(name), name);
   QVERIFY(figures.isEmpty());
+}
+
+/// Both eyes see one of three directions, so that their crosstalk is infinite; lengths are in mm.
+void TestMeasureJob::readsWell() {
+  const Outcome outcome =
+      measure({"--output", "out", "--set", "display.directions=[3,3]", "--set", "psf.windowSize=1",
+               "--set", "camera.eye=[0,0,1.2]", "--states", "a"});
+  QCOMPARE(outcome.status, 0);
+  const auto lineOf = [&outcome](const char* figure) {
+    for (const QByteArray& line : outcome.out.split('\n'))
+      if (line.startsWith(QByteArray("  ") + figure + " ")) return line.trimmed();
+    return QByteArray();
+  };
+  QCOMPARE(lineOf("crosstalk"), QByteArray("crosstalk (x=0 m): ∞, closed form ∞"));
+  QCOMPARE(lineOf("hogelPitch"), QByteArray("hogelPitch (across): 4.167 mm, closed form 4.167"));
+  QVERIFY(!outcome.out.contains("identical"));
+  const QByteArray page = contentOf("out/measure.html");
+  QVERIFY(
+      page.contains("<td>hogelPitch</td><td>across</td><td class=\"n\">4.167</td><td>mm</td>"
+                    "<td class=\"n\">4.167</td>"));
+  QVERIFY(contentOf("out/measure.csv").contains("\nhogelPitch,0.00416"));  // metres
 }
 
 void TestMeasureJob::goesOnAndShares() {

@@ -12,6 +12,7 @@
 #include "io/documents/session_file.h"
 #include "io/files/files_in_use.h"
 #include "io/scene/view_source.h"
+#include "measure/measure_page.h"
 #include "measure/measure_run.h"
 
 namespace hogelscope {
@@ -26,10 +27,11 @@ void printFigures(const Measured& measured) {
         "depthBehind", "viewsFront", "viewsBehind", "parallaxStep"}) {
     for (const MeasuredFigure& one : measured.figures) {
       if (one.of.figure != name || (one.of.unit.empty() && one.of.across != 0)) continue;
-      std::cout << "  " << name << " (" << one.of.where << "): " << rounded(one.value, 4) << " "
-                << one.of.unit;
+      const auto [unit, factor] = readUnitOf(one);
+      std::cout << "  " << name << " (" << one.of.where << "): " << readValue(factor * one.value)
+                << (unit.empty() ? "" : " ") << unit;
       if (!std::isnan(one.of.closedForm))
-        std::cout << ", closed form " << rounded(one.of.closedForm, 4);
+        std::cout << ", closed form " << readValue(factor * one.of.closedForm);
       std::cout << "\n";
       break;
     }
