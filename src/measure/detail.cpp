@@ -7,6 +7,7 @@
 #include "core/base/text.h"
 #include "core/panel/depth_budget.h"
 #include "core/panel/design_numbers.h"
+#include "core/panel/sheet_numbers.h"
 #include "measure/contrast.h"
 #include "measure/measurement.h"
 
@@ -169,12 +170,16 @@ void addDepthLimits(const Bench& bench, std::size_t axis, std::vector<Measuremen
                     "m",
                     "z=" + numberText(fourDigits(distance)) + " m",
                     {}};
-    if (bench.isLinear(axis))
+    if (const auto& sheet = bench.display().sheet) {
+      const SheetNumbers numbers = sheetNumbers(*sheet, bench.display().directions[0], bench.eye());
+      one.closedForm = isFront ? numbers.depthFront : numbers.depthBehind;
+    } else if (bench.isLinear(axis)) {
       one.closedForm = isParallel
                            ? sign * depthAt(sign * display, distance)
                            : search([sharp = bench.withoutBlur(), axis](const Grating& grating) {
                                return contrastLaw(sharp, grating, axis);
                              });
+    }
     one.simulate = [=](Bench& b) {
       Bench plain = b.withoutBlur();
       return search([&](const Grating& grating) { return contrast(plain, grating, axis); });

@@ -82,6 +82,7 @@ class TestSheetMeasures : public QObject {
  private Q_SLOTS:
   void init();
   void figures();
+  void sharpIsOneDepth();
   void refusals_data();
   void refusals();
 
@@ -142,6 +143,32 @@ void TestSheetMeasures::figures() {
   const QByteArray page = contentOf("out/measure.html");
   QVERIFY(page.contains("40 views under a lens sheet of"));
   QVERIFY(!page.contains("hogel"));
+}
+
+/// What --info says to be sharp is the closed form of --measure, for the same views and the same
+/// eye.
+void TestSheetMeasures::sharpIsOneDepth() {
+  const QByteArray calibration =
+      R"({"pitch": {"value": 50.0}, "slope": {"value": -6}, "center": {"value": 0.3},
+          "DPI": {"value": 283}, "screenW": {"value": 2560}, "screenH": {"value": 1600},
+          "viewCone": {"value": 45}})";
+  writeFile("visual.json", calibration);
+  const Outcome info = run({"--info", "visual.json"}, m_folder->path());
+  QCOMPARE(info.status, 0);
+  writeFile("u.json", R"({"hogelscope": 1,
+    "display": {"kind": "sheet", "calibration": "visual.json"},
+    "lightField": {"layout": "quilt", "file": "none_qs8x6a1.6.png"},
+    "cameras": [{"name": "one", "eye": [0, 0, 0.6]}]})");
+  QCOMPARE(run({"--measure", "--session", "u.json", "--output", "u"}, m_folder->path()).status, 0);
+  QStringList depths;
+  for (const QStringList& row : tableOf("u/measure.csv")) {
+    if (row[0] != "depthFront" && row[0] != "depthBehind") continue;
+    depths << QString::number(1000 * row[4].toDouble(), 'f', 1);
+  }
+  QCOMPARE(depths.size(), 2);
+  const QString line =
+      QString("with 48 views %1 mm in front and %2 mm behind").arg(depths[0], depths[1]);
+  QVERIFY2(info.out.contains(line.toUtf8()), qPrintable(line + info.out));
 }
 
 void TestSheetMeasures::refusals_data() {

@@ -313,7 +313,8 @@ void TestSheetNumbers::contrast() {
 }
 
 /// From a view's middle to the next one's, the picture of a point shifts on the panel; in
-/// viewsFront and viewsBehind by a lens. A view's light is as wide as a lens in depthFront.
+/// viewsFront and viewsBehind by a lens. At the sharp depths a grating that the eye sees as a lens
+/// for each half period has sinc(1/2) of the contrast that it has on the panel, and more before.
 void TestSheetNumbers::depths() {
   QFETCH(bool, isOther);
   const SheetDisplay display = unit(isOther);
@@ -324,8 +325,15 @@ void TestSheetNumbers::depths() {
     QVERIFY2(isNear(std::abs(place(camera) - place(-camera)), periodOf(display), 1e-9),
              text(place(camera) - place(-camera), periodOf(display)).constData());
   }
-  for (const double z : {n.depthFront, -n.depthBehind})
-    QVERIFY(isNear(std::abs(z) * n.slopeSpread * 0.5 / (0.5 - z), periodOf(display), 1e-9));
+  const auto left = [&](double z) {
+    const double f = 1 / (2 * periodOf(display));
+    return sheetContrast(display, views, f * 0.5 / (0.5 - z), z, 0) /
+           sheetContrast(display, views, f, 0, 0);
+  };
+  for (const double z : {n.depthFront, -n.depthBehind}) {
+    QVERIFY2(isNear(left(z), 2 / M_PI, 1e-6), text(left(z), 2 / M_PI).constData());
+    QVERIFY(left(0.9 * z) > 2 / M_PI && left(1.1 * z) < 2 / M_PI);
+  }
   QVERIFY(n.depthFront < n.viewsFront && n.depthBehind < n.viewsBehind);
   // More views are sharp no deeper than their sub-pixels' light.
   const SheetNumbers most = sheetNumbers(display, 100000, {0, 0, 0.5});

@@ -6,6 +6,9 @@
 #include <limits>
 #include <numbers>
 
+#include "core/panel/depth_budget.h"
+#include "core/panel/design_numbers.h"
+
 namespace hogelscope {
 
 namespace {
@@ -36,6 +39,58 @@ std::array<double, 2> depthsOf(double p, double s, double distance) {
           behind > 0 ? p * distance / behind : std::numeric_limits<double>::infinity()};
 }
 
+/// A ray meets a lens u beside its middle, a pixel d beside the pixel's, and a row e beside the
+/// row's, each even over the width of a lens, a pixel, a row; the sub-pixel's place is then w d +
+/// m e from the ray's end across the lenses, and shows a view r of a view beside the ray's own.
+/// What is seen on the plane z lies aside by
+///     x:  u (1/(1 + m²))(1 − z/D) + u z/D  −  d (1 − z/D) + d w z/g  +  e m z/g  +  r z p/(N g)
+///     y:  (u m/(1 + m²) + d (1 − w)/m − e)(1 − z/D)
+double contrastOf(const SheetLetters& of, int views, double f, double z, std::size_t axis) {
+  const double nearer = 1 - z / of.distance;
+  const double square = 1 + of.m * of.m;
+  if (axis == 1) {
+    const double seen = f * nearer;
+    return std::abs(sinc(seen * of.p * of.m / square) * sinc(seen * of.q * (1 - of.w) / of.m) *
+                    sinc(seen * of.q));
+  }
+  double inSpot = of.sheet.spot().empty() ? 1 : 0;
+  double place = -double(of.sheet.spot().size() / 2);
+  for (const double weight : of.sheet.spot()) {
+    inSpot += weight * std::cos(2 * std::numbers::pi * f * place * of.q * (nearer - z / of.g));
+    ++place;
+  }
+  return std::abs(inSpot * sinc(f * of.p * (nearer / square + z / of.distance)) *
+                  sinc(f * of.q * (nearer - of.w * z / of.g)) * sinc(f * of.q * of.m * z / of.g) *
+                  sinc(f * z * of.p / (views * of.g)));
+}
+
+/// Returns the depth at which the gratings that an eye at `distance` sees as 1/(2p) on the panel
+/// have sinc(1/2) of the contrast that they have there; in front (`side` 1) or behind (−1), ≥ 0.
+double sharpDepth(const SheetLetters& of, int views, double distance, double spread, double side) {
+  constexpr double left = 2 / std::numbers::pi;  // sinc(1/2)
+  constexpr int steps = 200;
+  const double frequency = 1 / (2 * of.p);
+  const double onPanel = contrastOf(of, views, frequency, 0, 0);
+  const auto isSharp = [&](double dioptres) {
+    const double z = std::max(depthAt(side * dioptres, distance), -1e4 * distance);
+    const double f = frequency * distance / (distance - z);
+    return contrastOf(of, views, f, z, 0) > left * onPanel;
+  };
+  if (side < 0 && isSharp(1 / distance)) return std::numeric_limits<double>::infinity();
+  const double step = of.p / (spread * distance * distance) / 10;
+  double low = 0;
+  double high = step;
+  for (int k = 0; k < steps && isSharp(high); ++k) {
+    low = high;
+    high += step;
+  }
+  for (int halving = 0; halving < 30; ++halving) {
+    const double middle = (low + high) / 2;
+    (isSharp(middle) ? low : high) = middle;
+  }
+  return side * depthAt(side * low, distance);
+}
+
 }  // namespace
 
 double SheetNumbers::pseudoscopic(double ipd) const {
@@ -59,41 +114,17 @@ SheetNumbers sheetNumbers(const SheetDisplay& display, int views, const Vec3& ey
   numbers.viewsPerPanelMetre = (1 / of.distance - 1 / eye.z) / numbers.viewSlope;
   const double half = eye.z * of.p / (2 * of.g);
   numbers.flips = {-half - of.m * eye.y, half - of.m * eye.y};
-  const auto sharp = depthsOf(of.p, numbers.slopeSpread, eye.z);
-  numbers.depthFront = sharp[0];
-  numbers.depthBehind = sharp[1];
+  numbers.depthFront = sharpDepth(of, views, eye.z, numbers.slopeSpread, 1);
+  numbers.depthBehind = sharpDepth(of, views, eye.z, numbers.slopeSpread, -1);
   const auto shifted = depthsOf(of.p, numbers.viewSlope, eye.z);
   numbers.viewsFront = shifted[0];
   numbers.viewsBehind = shifted[1];
   return numbers;
 }
 
-/// A ray meets a lens u beside its middle, a pixel d beside the pixel's, and a row e beside the
-/// row's, each even over the width of a lens, a pixel, a row; the sub-pixel's place is then w d +
-/// m e from the ray's end across the lenses, and shows a view r of a view beside the ray's own.
-/// What is seen on the plane z lies aside by
-///     x:  u (1/(1 + m²))(1 − z/D) + u z/D  −  d (1 − z/D) + d w z/g  +  e m z/g  +  r z p/(N g)
-///     y:  (u m/(1 + m²) + d (1 − w)/m − e)(1 − z/D)
 double sheetContrast(const SheetDisplay& display, int views, double frequency, double z,
                      std::size_t axis) {
-  const SheetLetters of(display);
-  const double f = frequency;
-  const double nearer = 1 - z / of.distance;
-  const double square = 1 + of.m * of.m;
-  if (axis == 1) {
-    const double seen = f * nearer;
-    return std::abs(sinc(seen * of.p * of.m / square) * sinc(seen * of.q * (1 - of.w) / of.m) *
-                    sinc(seen * of.q));
-  }
-  double inSpot = of.sheet.spot().empty() ? 1 : 0;
-  double place = -double(of.sheet.spot().size() / 2);
-  for (const double weight : of.sheet.spot()) {
-    inSpot += weight * std::cos(2 * std::numbers::pi * f * place * of.q * (nearer - z / of.g));
-    ++place;
-  }
-  return std::abs(inSpot * sinc(f * of.p * (nearer / square + z / of.distance)) *
-                  sinc(f * of.q * (nearer - of.w * z / of.g)) * sinc(f * of.q * of.m * z / of.g) *
-                  sinc(f * z * of.p / (views * of.g)));
+  return contrastOf(SheetLetters(display), views, frequency, z, axis);
 }
 
 double shareOfSums(double low, double high, double a, double b) {

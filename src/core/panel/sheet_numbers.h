@@ -7,9 +7,10 @@
 //
 //     s = √((p/N)² + (w q)² + (m q)² + 12 σ²)/g
 //
-// which has the same variance; σ is the display's spot. As of a display of hogels
-// (core/panel/design_numbers.h), a point at the depth z is sharp for an eye at the distance D where
-// |z| s D/(D − z) ≤ p: more views make s no smaller than their sub-pixels do.
+// which has the same variance; σ is the display's spot. A depth is sharp as on a display of hogels
+// (core/panel/design_numbers.h): a grating that the eye sees as 1/(2p) on the panel has at least
+// sinc(1/2) of the contrast that it has there, by sheetContrast(). More views make s no smaller
+// than their sub-pixels do, and no depth sharper.
 #pragma once
 
 #include <array>
@@ -30,7 +31,7 @@ struct SheetNumbers {
   double viewsPerMetre = 0;       ///< as the eye moves to the right
   double viewsPerPanelMetre = 0;  ///< to the right along the panel; 0 from the viewing distance
   std::array<double, 2> flips{};  ///< x of the eye at which the panel's middle shows the other end
-  double depthFront = 0;          ///< what is nearer to the eye is less sharp than a lens; ≥ 0
+  double depthFront = 0;          ///< what is nearer to the eye is not sharp; ≥ 0
   double depthBehind = 0;  ///< likewise behind the panel; ≥ 0, infinite if there is no limit
   double viewsFront = 0;   ///< what is nearer shifts by more than a lens from view to view; ≥ 0
   double viewsBehind = 0;  ///< likewise behind the panel

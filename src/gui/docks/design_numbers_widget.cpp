@@ -201,8 +201,8 @@ void DesignNumbersWidget::showNumbers() {
   const std::array sharp{-n.depthBehind, n.depthFront};
   fillCell({m_ui->sharpDepths, n.depthFront > 0 ? rangeText(sharp) : "–", "",
             tr("sharp for this eye, cm"),
-            isSheet ? tr("The depths behind (−) and in front (+) of the panel where the light of "
-                         "one view looks no wider than a lens")
+            isSheet ? tr("The depths behind (−) and in front (+) of the panel where lines as fine "
+                         "as the lenses keep 64 % of the contrast that they have on the panel")
                     : QString()});
   const Tokens& t = tokens();
   QString legend = tr("<span style='color: %1'>■</span> sharp").arg(t.good.name());
