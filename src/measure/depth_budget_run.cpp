@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <span>
 
 #include "core/base/error.h"
@@ -43,14 +44,67 @@ bool moveContent(LightFieldParams& lightField, const DepthFit& fit) {
   return true;
 }
 
-/// Shears views so that the middle of the interval, in metres, comes to lie on the panel.
-void shearViews(LightFieldParams& lightField, const PanelParams& display,
-                const std::array<double, 2>& interval) {
+/// Depths as a shear moves them, all by the same: z of views whose rays are parallel, z D/(D − z)
+/// of those whose cameras stand at the viewing distance D. disparityOf() is proportional to them.
+struct ShearedDepths {
+  double distance;  ///< D, or notGiven
+
+  [[nodiscard]] double of(double z) const {
+    if (distance == notGiven) return z;
+    if (std::isinf(z)) return -distance;
+    return z < distance ? z * distance / (distance - z) : std::numeric_limits<double>::infinity();
+  }
+  [[nodiscard]] double depth(double place) const {
+    return distance == notGiven ? place : place * distance / (distance + place);
+  }
+};
+
+/// A plane that a shear moves onto the panel, and the share of the pixels that are within both
+/// limits then.
+struct MovedPlane {
+  double z = 0;
+  double share = 0;
+};
+
+/// Returns the plane with the largest share; of equal ones that nearest to the panel.
+MovedPlane bestPlane(const DepthFigures& figures, const ShearedDepths& sheared) {
+  const DepthRange range = figures.limits.inMetres(figures.limits.both());
+  const double behind = sheared.of(-range.behind);
+  const double front = sheared.of(range.front);
+  std::vector<double> places;
+  for (const double dioptres : figures.dioptres)
+    if (const double place = sheared.of(depthAt(dioptres, figures.limits.distance));
+        std::isfinite(place))
+      places.push_back(place);
+  MovedPlane best;
+  double nearest = 0;
+  std::size_t first = 0;
+  for (std::size_t last = 0; last < places.size(); ++last) {
+    while (places[last] - places[first] > front - behind) ++first;
+    // All shifts between these two have the pixels from the first to the last one inside.
+    const double least = places[last] - front;
+    const double most = places[first] - behind;
+    const double shift = std::isfinite(most) ? (least + most) / 2 : std::max(least, 0.0);
+    const double share = double(last + 1 - first) / double(figures.dioptres.size());
+    if (share < best.share || (share == best.share && std::abs(shift) >= std::abs(nearest)))
+      continue;
+    nearest = shift;
+    best = {sheared.depth(shift), share};
+  }
+  return best;
+}
+
+/// Shears views so that the plane z comes to lie on the panel.
+void shearViews(LightFieldParams& lightField, const PanelParams& display, double z) {
   const std::array<int, 2> middle{display.directions[0] / 2, display.directions[1] / 2};
-  const auto back = disparityOf(interval[0], display, middle);
-  const auto front = disparityOf(interval[1], display, middle);
+  const auto disparity = disparityOf(z, display, middle);
   for (const std::size_t axis : {0, 1})
-    if (display.directions[axis] > 1) lightField.shear[axis] -= (back[axis] + front[axis]) / 2;
+    if (display.directions[axis] > 1) lightField.shear[axis] -= disparity[axis];
+}
+
+std::string notBetter(const DepthFigures& figures) {
+  return "no other place has more of the pixels inside both limits than the " +
+         rounded(100 * figures.inside, 1) + " % of now";
 }
 
 Json jsonOf(const DepthRange& range) {
@@ -129,9 +183,10 @@ std::optional<DepthProposal> proposedFit(const Session& session, const PanelPara
   const std::array<double, 2> interval{depthAt(figures.interval[0], limits.distance),
                                        depthAt(figures.interval[1], limits.distance)};
   const DepthRange range = limits.inMetres(limits.both());
-  DepthProposal proposal{
-      session, fitDepths(interval[0], interval[1], range.behind, range.front), {}};
-  if (figures.inside >= session.depth.share) proposal.fit = {};  // the content fits
+  const bool fits = figures.inside >= session.depth.share;
+  const DepthFit fit =
+      fits ? DepthFit() : fitDepths(interval[0], interval[1], range.behind, range.front);
+  DepthProposal proposal{session, {}};
   LightFieldParams& lightField = proposal.session.lightField;
   const bool endsAtInfinity = std::isinf(interval[0]);
   if (isGridOfViews(lightField.layout)) {
@@ -139,11 +194,16 @@ std::optional<DepthProposal> proposedFit(const Session& session, const PanelPara
       obstacle = "content lies infinitely far behind the panel";
       return {};
     }
-    if (proposal.fit.scale < 1 || proposal.fit.zero != 0) shearViews(lightField, display, interval);
+    if (fits) return proposal;
+    const MovedPlane plane = bestPlane(figures, {display.viewingDistance});
+    if (plane.share <= figures.inside) {
+      obstacle = notBetter(figures);
+      return {};
+    }
+    shearViews(lightField, display, plane.z);
     return proposal;
   }
-  if (lightField.isLive() && !endsAtInfinity && moveContent(lightField, proposal.fit))
-    return proposal;
+  if (lightField.isLive() && !endsAtInfinity && moveContent(lightField, fit)) return proposal;
   obstacle = endsAtInfinity ? "content lies infinitely far behind the panel"
              : lightField.isLive()
                  ? "lightField.source \"" + lightField.source + "\" has no position and scale"
@@ -164,6 +224,10 @@ DepthBudget measureDepths(const Session& session, LightFieldFile& file, const So
   const ViewSource movedSource =
       moved == session ? source : loadViewSource(moved, part(progress, 0.6, 0.7), use);
   budget.proposal->depths = depthsOfStates(moved, movedSource, part(progress, 0.7, 1));
+  if (moved == session || budget.proposal->depths.states.front().inside > first.inside)
+    return budget;
+  budget.proposal.reset();  // what is seen from another place may differ from what was expected
+  budget.obstacle = notBetter(first);
   return budget;
 }
 

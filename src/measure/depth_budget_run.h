@@ -24,7 +24,6 @@ struct StatesDepths {
 /// Another place for the content.
 struct DepthProposal {
   Session session;
-  DepthFit fit;  ///< of depths in metres; views are shifted alone, to the interval's middle
   StatesDepths depths;
 };
 
@@ -39,18 +38,19 @@ struct DepthBudget {
 StatesDepths depthsOfStates(const Session& session, const ViewSource& source,
                             const Progress& progress);
 
-/// Returns the session itself if the content fits, or else the one that would show a state's
-/// content within its limits, without depths; or says in `obstacle` why there is none. `display` is
-/// resolved.
+/// Returns the session itself if the content fits, or else the one that would show most of a
+/// state's content within its limits, without depths; or says in `obstacle` why there is none, such
+/// as that no shear of views has more of it there. `display` is resolved.
 std::optional<DepthProposal> proposedFit(const Session& session, const PanelParams& display,
                                          const DepthFigures& figures, std::string& obstacle);
 
 /// Measures a session, whose light field `file` is. Limits, interval and proposal are those of the
 /// first state: the content is scaled and shifted in depth until the shortest interval that holds
 /// `depth.share` of its pixels lies within the lesser limit (docs/formulas.md, Depth budget).
-/// Content of a live scene that has `position` and `scale` moves about the panel's centre; views
-/// are shifted alone, by `shear`. Throws InputError (no state sees content whose depth is known),
-/// Cancelled.
+/// Content of a live scene that has `position` and `scale` moves about the panel's centre. Views
+/// are shifted alone, by the `shear` that has most of their pixels within the lesser limit. What
+/// has no more of them there than now is not proposed. Throws InputError (no state sees content
+/// whose depth is known), Cancelled.
 DepthBudget measureDepths(const Session& session, LightFieldFile& file, const SourceUse& use,
                           const Progress& progress);
 

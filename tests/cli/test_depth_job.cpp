@@ -36,6 +36,7 @@ class TestDepthJob : public QObject {
   void init();
   void ofALiveScene();
   void ofViews();
+  void ofTwoPlanes();
   void ofTheEyes();
   void leavesNothingElsewhere();
   void mistakes_data();
@@ -142,6 +143,50 @@ void TestDepthJob::ofViews() {
   QVERIFY(json["inside"].toObject()["both"].toDouble() <
           json["proposed"].toObject()["both"].toDouble());
   QCOMPARE(jsonOf("fit.json")["lightField"].toObject()["shear"].toArray(), shear);
+}
+
+/// Two thirds of what views show shift by 0 hogels from one to the next, a third by 3, so that the
+/// middle of both has nothing.
+void TestDepthJob::ofTwoPlanes() {
+  const auto noise = [](int x, int y) {
+    const double value = 43758.5453 * std::sin(12.9898 * x + 78.233 * y);
+    return float(value - std::floor(value));
+  };
+  for (int row = 0; row < 3; ++row)
+    for (int column = 0; column < 3; ++column)
+      writeImageFile(QString("views/%1_%2.png").arg(row).arg(column), 72, 72,
+                     [&](int x, int y, int) {
+                       const int shift = x < 48 ? 0 : 3;
+                       return noise(x - shift * column + 100, y - shift * row + 100);
+                     });
+  writeFile("v.json", text({.display = R"({"hogels": [72, 72], "directions": [3, 3],
+                                          "fov": [20, 20], "size": [0.2, 0.2]})",
+                            .lightField = R"({"file": "views", "layout": "views"})",
+                            .cameras = R"([{"name": "a", "eye": [0, 0, 2], "fov": 6}])"}));
+  const Outcome now = depth("v.json", {"--output", "now"});
+  QCOMPARE(now.err, QByteArray());
+  QCOMPARE(now.status, 0);
+  QJsonObject json = jsonOf("now/depth.json");
+  const double inside = json["inside"].toObject()["both"].toDouble();
+  QVERIFY2(inside > 0.55 && inside < 0.9, now.out);
+  QVERIFY2(now.out.contains("nothing is proposed: no other place has more"), now.out);
+  QVERIFY(json["proposal"].isNull() && json["proposed"].isNull());
+  QVERIFY(!QFile::exists("now/plots/depth_proposed.svg"));
+  const Outcome fit = depth("v.json", {"--output", "now", "--fit", "fit.json"});
+  QCOMPARE(fit.status, 2);
+  QVERIFY2(fit.err.contains("--fit fit.json: there is nothing to write: no other place"), fit.err);
+  QVERIFY(!QFile::exists("fit.json"));
+  // Sheared away, most of it comes back to the panel.
+  for (const double shear : {3.0, -3.0}) {
+    const QString given = QString("lightField.shear=[%1,%1]").arg(shear);
+    QCOMPARE(depth("v.json", {"--output", "away", "--set", given}).status, 0);
+    json = jsonOf("away/depth.json");
+    const double proposed = json["proposed"].toObject()["both"].toDouble();
+    const double away = json["inside"].toObject()["both"].toDouble();
+    QVERIFY2(away < 0.5 && proposed > 0.55, qPrintable(QString("%1 %2").arg(away).arg(proposed)));
+    const double back = json["proposal"].toObject()["shear"].toArray()[0].toDouble();
+    QVERIFY2(std::abs(back) < 1, qPrintable(QString::number(back)));
+  }
 }
 
 void TestDepthJob::ofTheEyes() {
