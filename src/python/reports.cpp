@@ -18,6 +18,7 @@
 #include "report/report_facts.h"
 #include "report/report_moves.h"
 #include "report/report_run.h"
+#include "report/test_orders.h"
 
 namespace hogelscope {
 
@@ -127,6 +128,7 @@ ReportRequest requestOf(const ReportArguments& wishes, const InPython& inPython,
                      "needs a unit to compare: twins=[FILE], or a session with a twin");
   for (const auto& [name, light] : wishes.tests)
     request.tests.push_back(testWith(request.session, name, light, progress));
+  orderTests(request, part(progress, 0, 0.5));
   if (request.tests.empty()) throw InputError("tests", "is empty: there is nothing to compare");
   for (const auto& [name, rates] : wishes.groups)
     request.groups.push_back(groupOf(name, rates, request.tests));

@@ -99,13 +99,18 @@ ReportFacts factsOf(const ReportRequest& request, FileHashes& hashes, const Prog
 }
 
 std::vector<std::string> warningsOf(const ReportRequest& request) {
+  std::vector<std::string> warnings;
+  for (const ReportTest& test : request.tests)
+    if (!test.order.empty()) warnings.push_back(test.order);
   const std::vector<std::filesystem::path> files = request.file->files();
   // A scene's textures are no pictures of its views; the views of a folder are of one format.
-  if (request.session.lightField.isLive() || files.empty()) return {};
+  if (request.session.lightField.isLive() || files.empty()) return warnings;
   const std::string format = lossyFormatOf(files.front());
-  if (format.empty()) return {};
-  return {"the reference is itself a lossy file (" + format + ", " + files.front().string() +
-          "): every figure also has its errors; use the lossless original"};
+  if (!format.empty())
+    warnings.push_back("the reference is itself a lossy file (" + format + ", " +
+                       files.front().string() +
+                       "): every figure also has its errors; use the lossless original");
+  return warnings;
 }
 
 }  // namespace hogelscope

@@ -18,7 +18,7 @@ struct ReportFacts {
 ReportFacts factsOf(const ReportRequest& request, FileHashes& hashes, const Progress& progress);
 
 /// Returns sentences about inputs that make the figures doubtful: a reference that has lost
-/// something itself, as JPEG or a video.
+/// something itself, as JPEG or a video; a test whose views are in another order (orderTests()).
 std::vector<std::string> warningsOf(const ReportRequest& request);
 
 }  // namespace hogelscope

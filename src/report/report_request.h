@@ -24,6 +24,7 @@ struct ReportTest {
   std::string name;
   Session session;
   std::shared_ptr<LightFieldFile> file;
+  std::string order{};  ///< a sentence on the order of its views, by orderTests(); "": as it is
 };
 
 struct ReportRequest {

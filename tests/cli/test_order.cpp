@@ -88,6 +88,43 @@ class TestOrder : public QObject {
                         "lightField.columns=left-right (sure)\n"));
   }
 
+  /// The reference's own views to and fro from the top, numbered as the frames of a video.
+  void aTestInAnotherOrder() {
+    QDir().mkpath("frames");
+    for (int k = 0; k < 15; ++k) {
+      const int row = k / 5;
+      const int column = row % 2 == 1 ? 4 - k % 5 : k % 5;
+      QVERIFY(QFile::copy(QString("v/00%1_00%2.png").arg(2 - row).arg(column),
+                          QString("frames/%1.png").arg(k, 2, 10, QChar('0'))));
+    }
+    const auto report = [this](const QStringList& tests) {
+      return run(QStringList{"--report", "--session", "v", "--output", "r", "--set",
+                             "camera.res=[40,30]", "--set", "display.directions=[5,3]"} +
+                     tests,
+                 m_folder.path());
+    };
+    const QByteArray line =
+        "frames: its views are read with lightField.scan=serpentine lightField.rows=top-down, "
+        "because these are the views of the reference";
+    const Outcome outcome = report({"--test", "frames"});
+    QCOMPARE(outcome.status, 0);
+    QVERIFY2(outcome.err.endsWith("\nhogelscope: " + line + "\n"), outcome.err);
+    QVERIFY2(outcome.out.contains("identical views           1 of 1"), outcome.out);
+    QVERIFY(contentOf("r/report.html").contains(line));
+    // A document that gives an order keeps it.
+    writeFile("own.json", text({.display = R"({"directions": [5, 3]})",
+                                .lightField = R"({"file": "frames", "layout": "views",
+                                                 "columns": "right-left"})"}));
+    const Outcome own = report({"--test", "own.json", "--test", "v"});
+    QCOMPARE(own.status, 0);
+    QVERIFY2(
+        own.err.endsWith("\nhogelscope: own.json: its views are those of the reference only with "
+                         "lightField.scan=serpentine lightField.columns=left-right, which its "
+                         "session does not say\n"),
+        own.err);
+    QVERIFY2(!own.out.contains("identical views           2 of 2"), own.out);
+  }
+
   void mistakes() {
     QCOMPARE(run({"--info", "v", "--set", "lightField.rowz=1"}, m_folder.path()).err,
              QByteArray("hogelscope: v: lightField.rowz: is not known here; did you mean "

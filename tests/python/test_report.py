@@ -42,6 +42,18 @@ class Report(FolderTest):
         self.assertEqual(set(columns), set(rows[0]))
         self.assertEqual([row["state"] for row in rows], ["middle", "left"])
 
+    def test_views_in_another_order(self):
+        """Views to and fro, as the frames of a video, are those of the reference all the same."""
+        frames = [view for v, row in enumerate(self.views) for view in (row[::-1] if v % 2 else row)]
+        os.mkdir(self.path("frames"))
+        for k, view in enumerate(frames):
+            seen = np.ones(view.shape[:2], bool)
+            hs.View("", view, seen).save(self.path("frames", f"{k:02}.png"))
+        self.session["display"]["directions"] = [4, 3]
+        with self.assertWarnsRegex(UserWarning, "read with lightField.scan=serpentine, because"):
+            rows = hs.report(self.session, [self.path("frames")], output=self.path("out"))
+        self.assertEqual([row["mse"] for row in rows], [0, 0])
+
     def test_units_against_the_design(self):
         """The program's tables; the session's own twin and dicts are as files."""
         offset = {"lensArray": {"offset": [1e-3, 0]}}

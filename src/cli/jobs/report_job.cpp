@@ -25,6 +25,7 @@
 #include "report/report_files.h"
 #include "report/report_moves.h"
 #include "report/report_run.h"
+#include "report/test_orders.h"
 
 namespace hogelscope {
 
@@ -218,6 +219,7 @@ int runReport(const CommandLine& line) {
   request.shard = shardOf(line);
   const FilesInUse inUse(inputsOf(request));
   checkResults(line, filesOf(request));
+  orderTests(request, {});
   if (!request.shard) warnOfCuts(*request.file, request.session, line);
   if (!request.shard)
     warnOfPupils(resolved(displayOf(session), request.file->size()), session, line);

@@ -24,6 +24,7 @@
 #include "io/plugins/metric_plugins.h"
 #include "report/page/report_tables.h"
 #include "report/report_run.h"
+#include "report/test_orders.h"
 #include "ui_report_dock.h"
 
 namespace hogelscope {
@@ -270,14 +271,22 @@ void ReportDock::start() {
   m_task->start(
       [this, task = m_task, request, tests = made.tests](const Progress& progress) mutable {
         ReportListener listener;
-        listener.progress = progress;
+        listener.progress = part(progress, 0.02, 1);
         listener.finished = [=, this](std::size_t index, const ReportRow& row) {
           task->queue([this, index, row] { showRow(index, row); });
         };
         request.tests = openTests(request.session, tests);
         std::vector<std::optional<double>> rates;
+        orderTests(request, part(progress, 0, 0.02));
         for (const ReportTest& test : request.tests) rates.push_back(rateOfFiles(test));
-        return [this, rates, report = makeReport(request, listener)] { finish(report, rates); };
+        QStringList orders;
+        for (const ReportTest& test : request.tests)
+          if (!test.order.empty()) orders << QString::fromStdString(test.order) + ".";
+        return [this, rates, orders, report = makeReport(request, listener)] {
+          finish(report, rates);
+          if (!orders.isEmpty())
+            m_ui->reportNote->setText(m_ui->reportNote->text() + "\n" + orders.join("\n"));
+        };
       });
   m_progress->setVisible(true);
 }
