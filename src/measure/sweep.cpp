@@ -223,6 +223,13 @@ void checkParameters(const SweepRequest& request, const Design& design) {
 
 }  // namespace
 
+std::string unitOfFigure(const std::string& figure) {
+  if (figure == milliseconds) return "ms";
+  if (figure == idealPsnr || figure == designPsnr) return "dB";
+  const auto unit = singleFigures().find(figure);
+  return unit == singleFigures().end() ? "" : unit->second;
+}
+
 void checkFigures(const SweepTable& table, const Session& session) {
   std::vector<std::string_view> names{"mtf:0", idealPsnr, designPsnr, milliseconds};
   for (const auto& [name, unit] : singleFigures()) names.push_back(name);
@@ -240,68 +247,6 @@ void checkFigures(const SweepTable& table, const Session& session) {
         "\"" + figure + "\" is none of " + known +
             (nearest.empty() ? std::string() : "; did you mean \"" + std::string(nearest) + "\"?"));
   }
-}
-
-void markPareto(const SweepTable& table, std::vector<SweepRow>& rows) {
-  std::vector<std::pair<std::size_t, int>> goals;
-  for (const auto& [figure, goal] : table.pareto)
-    goals.emplace_back(
-        std::size_t(std::ranges::find(table.figures, figure) - table.figures.begin()), goal);
-  const auto isBeaten = [&](const SweepRow& a, const SweepRow& by) {
-    bool isBetter = false;
-    for (const auto& [figure, goal] : goals) {
-      const double own = goal * a.figures[figure];
-      const double other = goal * by.figures[figure];
-      if (std::isnan(other) || other < own) return false;
-      isBetter = isBetter || other > own;
-    }
-    return isBetter;
-  };
-  for (SweepRow& row : rows) {
-    const bool isKnown = std::ranges::none_of(
-        goals, [&row](const auto& goal) { return std::isnan(row.figures[goal.first]); });
-    row.isPareto = !goals.empty() && isKnown && std::ranges::none_of(rows, [&](const SweepRow& by) {
-      return isBeaten(row, by);
-    });
-  }
-}
-
-void markPassing(const SweepTable& table, std::vector<SweepRow>& rows) {
-  for (SweepRow& row : rows)
-    row.passes = std::ranges::all_of(table.pass, [&](const SweepLimit& limit) {
-      const auto figure = std::ranges::find(table.figures, limit.figure) - table.figures.begin();
-      const double value = row.figures[std::size_t(figure)];
-      return value >= limit.least && value <= limit.most;
-    });
-}
-
-SweepYield yieldOf(const std::vector<SweepRow>& rows) {
-  SweepYield yield{std::size_t(std::ranges::count_if(rows, &SweepRow::passes)), rows.size()};
-  const auto n = double(rows.size());
-  if (rows.empty()) return yield;
-  const double z = normalQuantile(0.975);
-  const double share = double(yield.passed) / n;
-  const double middle = share + z * z / (2 * n);
-  const double half = z * std::sqrt(share * (1 - share) / n + z * z / (4 * n * n));
-  yield.low = (middle - half) / (1 + z * z / n);
-  yield.high = (middle + half) / (1 + z * z / n);
-  return yield;
-}
-
-std::string yieldText(const SweepTable& table, const std::vector<SweepRow>& rows) {
-  if (table.pass.empty()) return {};
-  std::string limits;
-  for (const auto& [figure, least, most] : table.pass) {
-    limits += (limits.empty() ? "" : ", ") + figure;
-    if (std::isfinite(least)) limits += " at least " + numberText(least);
-    if (std::isfinite(most)) limits += " at most " + numberText(most);
-  }
-  const SweepYield yield = yieldOf(rows);
-  const auto percent = [](double share) { return rounded(100 * share, 1); };
-  return std::to_string(yield.passed) + " of " + std::to_string(yield.count) + " units pass (" +
-         limits + "): yield " +
-         percent(yield.count == 0 ? 0 : double(yield.passed) / double(yield.count)) + " % (" +
-         percent(yield.low) + " … " + percent(yield.high) + " %)";
 }
 
 std::vector<std::filesystem::path> inputsOf(const SweepRequest& request, const Progress& progress) {
@@ -356,24 +301,6 @@ std::vector<SweepRow> measureDesigns(const std::vector<Session>& designs,
   for (const JournalEntry& row : campaign.rows)
     rows.push_back({{}, row.values, false, row.problem, false});
   return rows;
-}
-
-std::string csv(const SweepTable& table, const std::vector<SweepRow>& rows) {
-  std::string text = "design";
-  for (const SweepParameter& parameter : table.parameters) text += "," + csvCell(parameter.name);
-  for (const std::string& figure : table.figures) text += "," + csvCell(figure);
-  const bool hasLimits = !table.pass.empty();
-  text += std::string(",pareto,") + (hasLimits ? "pass," : "") + "problem\n";
-  int number = 0;
-  for (const SweepRow& row : rows) {
-    text += std::to_string(++number);
-    for (const std::string& value : row.design) text += "," + csvCell(value);
-    for (const double value : row.figures) text += "," + numberCell(value);
-    text += std::string(",") + (row.isPareto ? "1" : "0");
-    if (hasLimits) text += std::string(",") + (row.passes ? "1" : "0");
-    text += "," + csvCell(row.problem) + "\n";
-  }
-  return text;
 }
 
 }  // namespace hogelscope

@@ -72,8 +72,15 @@ void markPareto(const SweepTable& table, std::vector<SweepRow>& rows);
 void markPassing(const SweepTable& table, std::vector<SweepRow>& rows);
 SweepYield yieldOf(const std::vector<SweepRow>& rows);
 /// Returns a sentence such as "37 of 100 units pass (psnr:design at least 30): yield 37 % (28.2 …
-/// 46.8 %)"; "" for a table without limits.
+/// 46.8 %)"; "" for a table without limits. Designs that were not drawn have no yield.
 std::string yieldText(const SweepTable& table, const std::vector<SweepRow>& rows);
+
+/// Returns a sentence that names the parameters that change no figure but the time, as designs that
+/// differ in nothing else show; "" if there are none.
+std::string effectText(const SweepTable& table, const std::vector<SweepRow>& rows);
+
+/// Returns the unit of a known figure; "" for ratios.
+std::string unitOfFigure(const std::string& figure);
 
 /// Returns "sweep.csv".
 std::string csv(const SweepTable& table, const std::vector<SweepRow>& rows);

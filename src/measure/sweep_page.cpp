@@ -2,10 +2,12 @@
 // The page of a sweep: parallel coordinates, a matrix of scatter plots, the table.
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "core/base/axis.h"
 #include "core/base/colour_map.h"
 #include "core/base/text.h"
+#include "io/documents/light_field_params.h"
 #include "measure/sweep.h"
 #include "page/html.h"
 #include "page/plot.h"
@@ -181,10 +183,72 @@ std::string cell(double value) {
   return std::isinf(value) ? "∞" : numberText(fourDigits(value));
 }
 
-std::string tableOf(const SweepTable& table, const std::vector<SweepRow>& rows) {
+/// Finds the units of a session's parameters by their names in overrides.
+class ParameterUnits : public ParameterVisitor {
+ public:
+  explicit ParameterUnits(Session session) {
+    TwinParams& twin = session.twin;
+    describeAll(session.display, twin.lensArray, twin.colour, twin.leakage, twin.light, twin.random,
+                twin.random.shift, twin.random.gain, session.lightField, session.sampling,
+                session.depth);
+    CameraState& state = session.cameras.front();
+    describeAll(state.camera, state.intrinsics, state.pupil, state.stereo, state.distortion,
+                state.psf);
+    m_within = "lightField.";
+    if (session.lightField.content.isGiven()) describe(*this, session.lightField.content);
+    describe(*this, session.lightField.live);
+  }
+  /// Returns "" if there is none.
+  [[nodiscard]] std::string of(const std::string& parameter) const {
+    const auto unit = m_units.find(parameter);
+    return unit == m_units.end() ? "" : unit->second;
+  }
+
+ private:
+  template <class... Params>
+  void describeAll(Params&... params) {
+    (describe(*this, params), ...);
+  }
+  void group(std::string_view name, std::string_view) override {
+    m_group = m_within + std::string(name);
+  }
+  void numbers(const Field& field, std::span<double>, bool) override { add(field); }
+  void integers(const Field& field, std::span<int>, bool) override { add(field); }
+  void flag(const Field&, bool&) override {}
+  void text(const Field&, std::string&) override {}
+  void choice(const Field&, int&) override {}
+  void add(const Field& field) {
+    m_units[m_group + "." + std::string(field.name)] = std::string(field.unit);
+  }
+
+  std::map<std::string, std::string> m_units;
+  std::string m_within;
+  std::string m_group;
+};
+
+/// Returns the names of the table's columns, with units.
+std::vector<std::string> headsOf(const SweepRequest& request) {
+  const SweepTable& table = request.table;
   std::vector<std::string> heads{"design"};
-  for (const SweepParameter& parameter : table.parameters) heads.push_back(parameter.name);
-  heads.insert(heads.end(), table.figures.begin(), table.figures.end());
+  const auto add = [&heads](const std::string& name, const std::string& unit) {
+    heads.push_back(unit.empty() ? name : name + " (" + unit + ")");
+  };
+  const ParameterUnits units(request.session);
+  for (const SweepParameter& parameter : table.parameters)
+    add(parameter.name, units.of(parameter.name));
+  for (const std::string& figure : table.figures) add(figure, unitOfFigure(figure));
+  return heads;
+}
+
+/// Returns a parameter's value, a number with the digits that count.
+std::string shortened(const std::string& value) {
+  const auto number = numberOf(value);
+  return number ? numberText(fourDigits(*number)) : value;
+}
+
+std::string tableOf(const SweepRequest& request, const std::vector<SweepRow>& rows) {
+  const SweepTable& table = request.table;
+  std::vector<std::string> heads = headsOf(request);
   if (!table.pareto.empty()) heads.emplace_back("Pareto");
   std::string text = "<div class=\"scroll\"><table class=\"sorts\"><thead><tr>";
   for (const std::string& head : heads) text += "<th class=\"n\">" + escaped(head) + "</th>";
@@ -192,7 +256,7 @@ std::string tableOf(const SweepTable& table, const std::vector<SweepRow>& rows) 
   std::vector<std::vector<std::string>> best;
   for (std::size_t k = 0; k < rows.size(); ++k) {
     std::vector<std::string> cells{std::to_string(k + 1)};
-    cells.insert(cells.end(), rows[k].design.begin(), rows[k].design.end());
+    for (const std::string& value : rows[k].design) cells.push_back(shortened(value));
     for (const double value : rows[k].figures) cells.push_back(cell(value));
     if (!table.pareto.empty()) cells.emplace_back(rows[k].isPareto ? "yes" : "");
     text += "<tr>";
@@ -203,6 +267,18 @@ std::string tableOf(const SweepTable& table, const std::vector<SweepRow>& rows) 
     if (rows[k].isPareto || table.pareto.empty()) best.push_back(std::move(cells));
   }
   return text + "</tbody></table></div>\n" + latexPart(latexTable(heads, best));
+}
+
+/// Says which contrast figures are of, if they are of several.
+std::string contrastsText(const SweepTable& table) {
+  const bool hasDepths = std::ranges::any_of(table.figures, [](const std::string& figure) {
+    return figure == "depthOfField50" || figure == "depthOfField10";
+  });
+  if (!hasDepths) return {};
+  return "<p>depthOfField50 and depthOfField10 are depths at which contrast falls to 0.5 and 0.1 "
+         "of "
+         "what it is on the panel, where hogels leave 0.64 of this grating (sinc ½). mtf:Z is the "
+         "contrast itself.</p>\n";
 }
 
 }  // namespace
@@ -223,13 +299,15 @@ std::string sweepPage(const SweepRequest& request, const std::vector<SweepRow>& 
   if (!request.table.pareto.empty())
     body += "; " + std::to_string(best) + " (red) are on the Pareto front";
   if (!request.table.pass.empty()) body += ". " + escaped(yieldText(request.table, rows));
+  if (const std::string effect = effectText(request.table, rows); !effect.empty())
+    body += ". " + escaped(effect);
   return pageOf("Hogelscope sweep: " + request.name,
                 body +
                     ".</p>\n<h2>Parallel coordinates</h2>\n<p>Each line is a design. Drag along "
                     "an axis to keep a range of it; click on the axis to take it back.</p>\n" +
                     "<figure>" + plots[0].second + "</figure>\n<h2>Pairs</h2>\n<figure>" +
                     plots[1].second + "</figure>\n<h2>Designs</h2>\n" +
-                    tableOf(request.table, rows));
+                    contrastsText(request.table) + tableOf(request, rows));
 }
 
 }  // namespace hogelscope

@@ -16,6 +16,7 @@ class TestSweepJob : public QObject {
  private Q_SLOTS:
   void init();
   void writesItsFiles();
+  void saysWhatHasNoEffect();
   void comparesPictures();
   void leavesNoHashes();
   void goesOnAndShares();
@@ -69,6 +70,23 @@ void TestSweepJob::writesItsFiles() {
   // A line for each design in the plot, two of three of them on the front.
   QCOMPARE(contentOf("out/plots/parallel.svg").count("<polyline"), 6);
   QCOMPARE(contentOf("out/sweep.html").count("data-row=\"0\""), 1 + 5 * 4);
+}
+
+/// Without leakage its deviation changes nothing.
+void TestSweepJob::saysWhatHasNoEffect() {
+  writeFile("t.json", R"({"parameters": {"display.fov": [[40, 40], [60, 60]], "psf.sigma": [1, 2]},
+                          "figures": ["depthOfField50"], "pass": {"depthOfField50": 0.05}})");
+  const auto withWindow = [&](const char* size) {
+    return sweep({"--output", size, "--set", QString("psf.windowSize=%1").arg(size)});
+  };
+  const QByteArray line = "psf.sigma changes none of the figures";
+  const Outcome without = withWindow("1");
+  QCOMPARE(without.status, 0);
+  QVERIFY2(without.out.endsWith(line + "\n"), without.out);
+  QVERIFY(contentOf("1/sweep.html").contains(". " + line + ".</p>"));
+  QVERIFY2(without.out.contains(" of 4 designs pass") && !without.out.contains("yield"),
+           without.out);
+  QVERIFY2(!withWindow("5").out.contains(line), without.out);
 }
 
 void TestSweepJob::comparesPictures() {

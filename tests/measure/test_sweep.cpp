@@ -107,6 +107,65 @@ class TestSweep : public QObject {
     QVERIFY(std::ranges::none_of(rows, &SweepRow::isPareto));
   }
 
+  /// Units are drawn; the designs of a grid are no sample, of which a share would say something.
+  void onlyUnitsHaveAYield() {
+    const auto textOf = [](const std::string& parameters, const std::string& sampling) {
+      const SweepTable table = tableOf(parameters, R"(, "pass": {"megapixels": 1})" + sampling);
+      std::vector<SweepRow> rows(4);
+      rows[2].passes = true;
+      return QString::fromStdString(yieldText(table, rows));
+    };
+    const std::string hypercube = R"(, "sampling": "latin-hypercube", "count": 4)";
+    const QString designs = "1 of 4 designs pass (megapixels at least 1)";
+    const QString units = "1 of 4 units pass (megapixels at least 1): yield 25.0 % (4.6 … 69.9 %)";
+    const std::string fov = R"({"display.fov": [[30, 30], [60, 60]]})";
+    QCOMPARE(textOf(fov, ""), designs);
+    QCOMPARE(textOf(fov, hypercube), designs);
+    QCOMPARE(textOf(R"({"psf.sigma": {"normal": [1, 0.1]}})", hypercube), units);
+    QCOMPARE(textOf(R"({"twin.random.seed": {"from": 1, "to": 4}})", ""), units);
+    const std::string rotation = R"({"twin.lensArray.rotation": {"from": 0, "to": 1, "count": 2}})";
+    QCOMPARE(textOf(rotation, hypercube), units);
+    QCOMPARE(textOf(rotation, ""), designs);
+  }
+
+  void parametersWithoutEffect() {
+    const SweepTable table = parseSweepTable(
+        R"({"parameters": {"psf.sigma": [1, 2], "display.fov": [[30, 30], [60, 60]],
+                           "psf.windowSize": [1], "camera.fov": [20, 30]},
+            "figures": ["megapixels", "crosstalk", "milliseconds"]})");
+    std::vector<SweepRow> rows;
+    double time = 0;
+    for (const Design& design : designsOf(table))
+      rows.push_back({design, {design[1] == "[30,30]" ? 1.0 : 2.0, NAN, ++time}, false, "", false});
+    QCOMPARE(effectText(table, rows),
+             std::string("psf.sigma, camera.fov change none of the figures"));
+    rows[3].problem = "cannot be measured";
+    rows[3].figures = {NAN, NAN, NAN};
+    QCOMPARE(effectText(table, rows),
+             std::string("psf.sigma, camera.fov change none of the figures"));
+    rows[0].figures[1] = 0.1;  // its neighbours along all axes differ from it
+    QCOMPARE(effectText(table, rows), std::string());
+    QCOMPARE(effectText(table, {}), std::string());
+  }
+
+  void headsHaveUnits() {
+    SweepRequest request;
+    request.session = smallSession();
+    request.table = parseSweepTable(
+        R"({"parameters": {"display.fov": [[40, 40]], "twin.lensArray.rotation": [0.1],
+                           "camera.eye": [[0, 0, 1]], "depth.comfort": [1]},
+            "figures": ["viewingZone", "mtf:0.02", "psnr:ideal", "milliseconds", "megapixels",
+                        "depthOfField50"]})");
+    const std::string page = sweepPage(request, {});
+    for (const char* const head :
+         {"display.fov (°)", "twin.lensArray.rotation (°)", "camera.eye (m)", "depth.comfort (°)",
+          "viewingZone (m)", "mtf:0.02", "psnr:ideal (dB)", "milliseconds (ms)", "megapixels (Mpx)",
+          "depthOfField50 (m)"})
+      QVERIFY2(page.find(">" + std::string(head) + "</th>") != std::string::npos, head);
+    QVERIFY(page.find("mtf:Z is the contrast itself") != std::string::npos);
+    QVERIFY(csv(request.table, {}).starts_with("design,display.fov,twin.lensArray.rotation,"));
+  }
+
   void figuresAreThoseOfMeasure() {
     SweepRequest request;
     request.session = smallSession();

@@ -54,6 +54,8 @@ int runSweep(const CommandLine& line) {
             << printable((folder / "sweep.html").string()) << "\n";
   if (const std::string yield = yieldText(request.table, result.rows); !yield.empty())
     std::cout << yield << "\n";
+  if (const std::string effect = effectText(request.table, result.rows); !effect.empty())
+    std::cout << effect << "\n";
   return 0;
 }
 

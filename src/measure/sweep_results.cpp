@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What the figures of a sweep say: the Pareto front, units that pass, parameters without effect.
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "core/base/text.h"
+#include "measure/sweep.h"
+
+namespace hogelscope {
+
+namespace {
+
+/// Whether the designs are units that were drawn, whose share that passes is a yield: by normal
+/// distributions or seeds, or errors of a twin in a Latin hypercube.
+bool areUnits(const SweepTable& table) {
+  return std::ranges::any_of(table.parameters, [&table](const SweepParameter& parameter) {
+    return parameter.kind == SweepParameter::Kind::normal || parameter.name.ends_with(".seed") ||
+           (table.sampling == SweepSampling::latinHypercube && parameter.name.starts_with("twin."));
+  });
+}
+
+/// Whether all figures of two designs are the same; times differ in every run.
+bool areAlike(const SweepTable& table, const SweepRow& a, const SweepRow& b) {
+  for (std::size_t k = 0; k < table.figures.size(); ++k) {
+    if (table.figures[k] == "milliseconds") continue;
+    const double first = a.figures[k];
+    const double second = b.figures[k];
+    if (first != second && !(std::isnan(first) && std::isnan(second))) return false;
+  }
+  return true;
+}
+
+/// Whether designs that differ in a parameter alone are there, and have the same figures.
+bool hasNoEffect(const SweepTable& table, const std::vector<SweepRow>& rows,
+                 std::size_t parameter) {
+  std::map<Design, const SweepRow*> known;  // by the other parameters
+  bool isVaried = false;
+  for (const SweepRow& row : rows) {
+    if (!row.problem.empty()) continue;
+    Design others = row.design;
+    others[parameter].clear();
+    const auto& [same, isNew] = known.try_emplace(std::move(others), &row);
+    if (isNew || row.design[parameter] == same->second->design[parameter]) continue;
+    isVaried = true;
+    if (!areAlike(table, row, *same->second)) return false;
+  }
+  return isVaried;
+}
+
+}  // namespace
+
+void markPareto(const SweepTable& table, std::vector<SweepRow>& rows) {
+  std::vector<std::pair<std::size_t, int>> goals;
+  for (const auto& [figure, goal] : table.pareto)
+    goals.emplace_back(
+        std::size_t(std::ranges::find(table.figures, figure) - table.figures.begin()), goal);
+  const auto isBeaten = [&](const SweepRow& a, const SweepRow& by) {
+    bool isBetter = false;
+    for (const auto& [figure, goal] : goals) {
+      const double own = goal * a.figures[figure];
+      const double other = goal * by.figures[figure];
+      if (std::isnan(other) || other < own) return false;
+      isBetter = isBetter || other > own;
+    }
+    return isBetter;
+  };
+  for (SweepRow& row : rows) {
+    const bool isKnown = std::ranges::none_of(
+        goals, [&row](const auto& goal) { return std::isnan(row.figures[goal.first]); });
+    row.isPareto = !goals.empty() && isKnown && std::ranges::none_of(rows, [&](const SweepRow& by) {
+      return isBeaten(row, by);
+    });
+  }
+}
+
+void markPassing(const SweepTable& table, std::vector<SweepRow>& rows) {
+  for (SweepRow& row : rows)
+    row.passes = std::ranges::all_of(table.pass, [&](const SweepLimit& limit) {
+      const auto figure = std::ranges::find(table.figures, limit.figure) - table.figures.begin();
+      const double value = row.figures[std::size_t(figure)];
+      return value >= limit.least && value <= limit.most;
+    });
+}
+
+SweepYield yieldOf(const std::vector<SweepRow>& rows) {
+  SweepYield yield{std::size_t(std::ranges::count_if(rows, &SweepRow::passes)), rows.size()};
+  const auto n = double(rows.size());
+  if (rows.empty()) return yield;
+  const double z = normalQuantile(0.975);
+  const double share = double(yield.passed) / n;
+  const double middle = share + z * z / (2 * n);
+  const double half = z * std::sqrt(share * (1 - share) / n + z * z / (4 * n * n));
+  yield.low = (middle - half) / (1 + z * z / n);
+  yield.high = (middle + half) / (1 + z * z / n);
+  return yield;
+}
+
+std::string yieldText(const SweepTable& table, const std::vector<SweepRow>& rows) {
+  if (table.pass.empty()) return {};
+  std::string limits;
+  for (const auto& [figure, least, most] : table.pass) {
+    limits += (limits.empty() ? "" : ", ") + figure;
+    if (std::isfinite(least)) limits += " at least " + numberText(least);
+    if (std::isfinite(most)) limits += " at most " + numberText(most);
+  }
+  const SweepYield yield = yieldOf(rows);
+  const std::string passed = std::to_string(yield.passed) + " of " + std::to_string(yield.count);
+  if (!areUnits(table)) return passed + " designs pass (" + limits + ")";
+  const auto percent = [](double share) { return rounded(100 * share, 1); };
+  return passed + " units pass (" + limits + "): yield " +
+         percent(yield.count == 0 ? 0 : double(yield.passed) / double(yield.count)) + " % (" +
+         percent(yield.low) + " … " + percent(yield.high) + " %)";
+}
+
+std::string effectText(const SweepTable& table, const std::vector<SweepRow>& rows) {
+  std::string names;
+  std::size_t count = 0;
+  for (std::size_t p = 0; p < table.parameters.size(); ++p) {
+    if (!hasNoEffect(table, rows, p)) continue;
+    names += (names.empty() ? "" : ", ") + table.parameters[p].name;
+    ++count;
+  }
+  if (count == 0) return {};
+  return names + (count == 1 ? " changes" : " change") + " none of the figures";
+}
+
+std::string csv(const SweepTable& table, const std::vector<SweepRow>& rows) {
+  std::string text = "design";
+  for (const SweepParameter& parameter : table.parameters) text += "," + csvCell(parameter.name);
+  for (const std::string& figure : table.figures) text += "," + csvCell(figure);
+  const bool hasLimits = !table.pass.empty();
+  text += std::string(",pareto,") + (hasLimits ? "pass," : "") + "problem\n";
+  int number = 0;
+  for (const SweepRow& row : rows) {
+    text += std::to_string(++number);
+    for (const std::string& value : row.design) text += "," + csvCell(value);
+    for (const double value : row.figures) text += "," + numberCell(value);
+    text += std::string(",") + (row.isPareto ? "1" : "0");
+    if (hasLimits) text += std::string(",") + (row.passes ? "1" : "0");
+    text += "," + csvCell(row.problem) + "\n";
+  }
+  return text;
+}
+
+}  // namespace hogelscope
