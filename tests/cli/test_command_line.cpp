@@ -435,8 +435,8 @@ void TestCommandLine::infoOfALensSheet() {
           "seen        at 0.6 m: views repeat every 0.437 m; 14.4 % of head positions have the "
           "flip between their eyes (63 mm apart)\n"
           "views       of 48: 109.9 pass in a metre, 1.00 (rms) mix in one place\n"
-          "sharp       with 48 views 9.3 mm in front and 9.5 mm behind, with any number 9.6 "
-          "mm in front and 9.9 mm behind\n"
+          "sharp       with 48 views 10.9 mm in front and 8.3 mm behind, with any number 11.4 "
+          "mm in front and 8.6 mm behind\n"
           "warning     invView is 0, which is ignored: views go from left to right\n"));
   QCOMPARE(run({"--info", "visual.json", "--json"}, m_folder->path()).err,
            QByteArray("hogelscope: command line: --json: is for a light field, not for a lens "
