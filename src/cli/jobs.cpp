@@ -115,8 +115,8 @@ const std::vector<Job>& jobs() {
        .value = "hogels|views|quilt|mosaic|woven|pack|rig",
        .help =
            "Writes the session's light field, of any layout or live, as hogels (one image), "
-           "views (a folder), quilt, mosaic (one image of all views) or pack (a store); as woven "
-           "the picture of a lens sheet's panel; or as rig "
+           "views (a folder), quilt, mosaic (one image of all views) or pack (a store); of a lens "
+           "sheet as quilt or views, or as woven the panel's picture; or as rig "
            "the cameras that take its views, FILE.json and FILE.gltf.",
        .details = "Values keep their type: 8 or 16 bits or floats, which need .exr or .tif. What a "
                   "live scene becomes gives the same pictures as the scene itself. Only a light "

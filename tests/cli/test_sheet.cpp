@@ -221,6 +221,27 @@ void TestSheet::liveScenes() {
                          QByteArray::number(crossed);
   QVERIFY2(own < 16 && other < 16, all);
   QVERIFY2(crossed > 2 * std::max(own, other), all);
+  // Its quilt has the sheet's views: seen on the sheet it is the scene.
+  const Outcome exported =
+      program({"--export", "quilt", "--session", "live.json", "--output", "scene_qs6x4a1.5.png"});
+  QCOMPARE(exported.err, QByteArray());
+  QCOMPARE(exported.out, QByteArray("scene_qs6x4a1.5.png: quilt, lightField.columns=6 "
+                                    "lightField.rows=4\n"));
+  QCOMPARE(QImage("scene_qs6x4a1.5.png").size(), QSize(6 * 320, 4 * 213));
+  writeFile(
+      "quilt.json",
+      QByteArray(live)
+          .replace(R"("hogels": [320, 213], "directions": [24, 1])", R"("viewingDistance": 0.6)")
+          .replace(R"("layout": "live", "source": "scene", "scene": {"fill": [0.5, 0.5]})",
+                   R"("layout": "quilt", "file": "scene_qs6x4a1.5.png")"));
+  QCOMPARE(program({"--render", "--session", "quilt.json", "--output", "c"}).err, QByteArray());
+  for (const char* const name : {"left.png", "right.png"})
+    QVERIFY(QImage(QString("c/") + name) == QImage(QString("a/") + name));
+  QCOMPARE(program({"--export", "views", "--session", "live.json", "--output", "views"}).err,
+           QByteArray());
+  QCOMPARE(namesIn("views").size(), 24);
+  QCOMPARE(QImage("views/000_007.png"),  // the second tile from the bottom and from the left
+           QImage("scene_qs6x4a1.5.png").copy(320, 2 * 213, 320, 213));
 }
 
 /// With a spot as wide as the lenses' period an eye sees the mean of all views.
@@ -359,8 +380,14 @@ void TestSheet::mistakes_data() {
       "s.json: display.kind: is \"sheet\", which a pack does not know");
   row(render + QStringList{"--save-session", "visual.json"}, session(),
       "visual.json: cannot be written: it is visual.json, which is read: choose another name");
-  row({"--export", "views", "--session", "s.json", "--output", "out"}, session(),
-      "--export views: is for a display of hogels: give woven for a lens sheet");
+  row({"--export", "hogels", "--session", "s.json", "--output", "out"}, session(),
+      "--export hogels: is for a display of hogels: give quilt, views or woven for a lens sheet");
+  row({"--export", "quilt", "--session", "s.json", "--output", "out"},
+      session(R"("calibration": "visual.json")", "", "woven"),
+      "s.json: lightField.layout: is \"woven\", a picture of the panel, which does not say its "
+      "views");
+  row({"--export", "quilt", "--session", "s.json", "--output", "out", "--for-twin"}, session(),
+      "command line: --for-twin: is not for the views of a lens sheet");
 }
 
 void TestSheet::mistakes() {

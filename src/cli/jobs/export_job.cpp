@@ -55,8 +55,15 @@ int exportRig(const Session& session, const CommandLine& line) {
   return 0;
 }
 
-/// Returns the session's light field, or with --for-twin the one that its unit needs.
+/// Returns the session's light field, of a lens sheet the panel's picture or the views that it
+/// shows, or with --for-twin the one that its unit needs.
 std::shared_ptr<LightFieldFile> contentToExport(const Session& session, const CommandLine& line) {
+  if (session.display.sheet && line.subject != "woven") {
+    if (line.has("for-twin"))
+      throw InputError("command line", "--for-twin", "is not for the views of a lens sheet");
+    return inFile(line.text("session"),
+                  [&] { return openUnwoven(session.lightField, session.display); });
+  }
   std::shared_ptr<LightFieldFile> file = openLightField(session.lightField, session.display);
   if (!line.has("for-twin")) return file;
   const PanelParams display = resolved(displayOf(session), file->size());
@@ -94,10 +101,12 @@ int runExport(const CommandLine& line) {
     throw InputError(
         "--export",
         "\"" + line.subject + "\" is not one of hogels, views, quilt, mosaic, woven, pack, rig");
-  if (isTo("woven") != session.display.sheet.has_value())
+  const bool isForHogels = isTo("hogels") || isTo("mosaic");
+  if (session.display.sheet ? isForHogels : isTo("woven"))
     throw InputError("--export " + line.subject,
-                     isTo("woven") ? "is for a lens sheet: a session with display.kind \"sheet\""
-                                   : "is for a display of hogels: give woven for a lens sheet");
+                     isForHogels
+                         ? "is for a display of hogels: give quilt, views or woven for a lens sheet"
+                         : "is for a lens sheet: a session with display.kind \"sheet\"");
   const fs::path output = line.text("output");
   const auto file = contentToExport(session, line);
   const FilesInUse inUse(filesOf(session, *file));

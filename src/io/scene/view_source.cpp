@@ -66,13 +66,8 @@ std::unique_ptr<LightFieldFile> openOnSheet(const LightFieldParams& params,
                                             const Progress& progress) {
   if (params.layout == Layout::woven) return openWoven(params, display, progress);
   const LensSheet sheet({.calibration = weaveOf(params, *display.sheet)});
-  if (!params.isLive())
-    return std::make_unique<WovenFile>(typeOf(params.layout).open(params, display, progress), sheet,
-                                       false);
-  LightFieldParams views = params;
-  views.viewingDistance = display.sheet->viewingDistance;
-  return std::make_unique<WovenFile>(openLive(views, displayOfViews(display), progress), sheet,
-                                     true);
+  return std::make_unique<WovenFile>(openUnwoven(params, display, progress), sheet,
+                                     params.isLive());
 }
 
 const LayoutType packLayout{.open = openStore, .holder = Holder::store};
@@ -140,6 +135,19 @@ std::vector<std::filesystem::path> filesOf(const Session& session) {
     files.emplace_back(contentName(session.lightField));
     return files;
   }
+}
+
+std::unique_ptr<LightFieldFile> openUnwoven(const LightFieldParams& params,
+                                            const DisplayParams& display,
+                                            const Progress& progress) {
+  if (!display.sheet) return openLightField(params, display, progress);
+  if (params.layout == Layout::woven)
+    throw InputError("lightField.layout",
+                     "is \"woven\", a picture of the panel, which does not say its views");
+  if (!params.isLive()) return typeOf(params.layout).open(params, display, progress);
+  LightFieldParams views = params;
+  views.viewingDistance = display.sheet->viewingDistance;
+  return openLive(views, displayOfViews(display), progress);
 }
 
 int viewsOnSheet(const Session& session) {

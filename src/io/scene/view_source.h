@@ -28,6 +28,12 @@ std::vector<std::filesystem::path> filesOf(const Session& session, const LightFi
 /// Opens the light field for that; without the light field's parts if it cannot be opened.
 std::vector<std::filesystem::path> filesOf(const Session& session);
 
+/// Opens the views that a lens sheet's panel is woven of: a quilt's, or those of a live scene; on a
+/// display of hogels as openLightField(). Throws as that, also for a picture of the panel.
+std::unique_ptr<LightFieldFile> openUnwoven(const LightFieldParams& params,
+                                            const DisplayParams& display,
+                                            const Progress& progress = {});
+
 /// Returns the number of views that a lens sheet shows: those of the quilt or of the live scene; 0
 /// if it is not known, as of a panel's picture.
 int viewsOnSheet(const Session& session);
