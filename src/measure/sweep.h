@@ -75,8 +75,8 @@ SweepYield yieldOf(const std::vector<SweepRow>& rows);
 /// 46.8 %)"; "" for a table without limits. Designs that were not drawn have no yield.
 std::string yieldText(const SweepTable& table, const std::vector<SweepRow>& rows);
 
-/// Returns a sentence that names the parameters that change no figure but the time, as designs that
-/// differ in nothing else show; "" if there are none.
+/// Returns a sentence that names the parameters that change no figure but the time, or no goal of
+/// the Pareto front, as designs that differ in nothing else show; "" if there are none.
 std::string effectText(const SweepTable& table, const std::vector<SweepRow>& rows);
 
 /// Returns the unit of a known figure; "" for ratios.

@@ -20,19 +20,16 @@ bool areUnits(const SweepTable& table) {
   });
 }
 
-/// Whether all figures of two designs are the same; times differ in every run.
-bool areAlike(const SweepTable& table, const SweepRow& a, const SweepRow& b) {
-  for (std::size_t k = 0; k < table.figures.size(); ++k) {
-    if (table.figures[k] == "milliseconds") continue;
-    const double first = a.figures[k];
-    const double second = b.figures[k];
-    if (first != second && !(std::isnan(first) && std::isnan(second))) return false;
-  }
-  return true;
+bool areAlike(const std::vector<std::size_t>& figures, const SweepRow& a, const SweepRow& b) {
+  return std::ranges::all_of(figures, [&](std::size_t figure) {
+    const double first = a.figures[figure];
+    const double second = b.figures[figure];
+    return first == second || (std::isnan(first) && std::isnan(second));
+  });
 }
 
-/// Whether designs that differ in a parameter alone are there, and have the same figures.
-bool hasNoEffect(const SweepTable& table, const std::vector<SweepRow>& rows,
+/// Whether designs that differ in a parameter alone are there, and these figures of them are alike.
+bool hasNoEffect(const std::vector<std::size_t>& figures, const std::vector<SweepRow>& rows,
                  std::size_t parameter) {
   std::map<Design, const SweepRow*> known;  // by the other parameters
   bool isVaried = false;
@@ -43,9 +40,23 @@ bool hasNoEffect(const SweepTable& table, const std::vector<SweepRow>& rows,
     const auto& [same, isNew] = known.try_emplace(std::move(others), &row);
     if (isNew || row.design[parameter] == same->second->design[parameter]) continue;
     isVaried = true;
-    if (!areAlike(table, row, *same->second)) return false;
+    if (!areAlike(figures, row, *same->second)) return false;
   }
   return isVaried;
+}
+
+/// Names the parameters of which `is` is true, and what they do: "a, b change none of the figures".
+template <class Is>
+std::string namesOf(const SweepTable& table, const Is& is, const std::string& what) {
+  std::string names;
+  std::size_t count = 0;
+  for (std::size_t p = 0; p < table.parameters.size(); ++p) {
+    if (!is(p)) continue;
+    names += (names.empty() ? "" : ", ") + table.parameters[p].name;
+    ++count;
+  }
+  if (count == 0) return {};
+  return names + (count == 1 ? " changes" : " change") + " none of the " + what;
 }
 
 }  // namespace
@@ -114,15 +125,20 @@ std::string yieldText(const SweepTable& table, const std::vector<SweepRow>& rows
 }
 
 std::string effectText(const SweepTable& table, const std::vector<SweepRow>& rows) {
-  std::string names;
-  std::size_t count = 0;
-  for (std::size_t p = 0; p < table.parameters.size(); ++p) {
-    if (!hasNoEffect(table, rows, p)) continue;
-    names += (names.empty() ? "" : ", ") + table.parameters[p].name;
-    ++count;
+  std::vector<std::size_t> figures, goals;
+  for (std::size_t k = 0; k < table.figures.size(); ++k) {
+    if (table.figures[k] == "milliseconds") continue;  // differs in every run
+    figures.push_back(k);
+    if (std::ranges::find(table.pareto, table.figures[k], &SweepGoal::figure) != table.pareto.end())
+      goals.push_back(k);
   }
-  if (count == 0) return {};
-  return names + (count == 1 ? " changes" : " change") + " none of the figures";
+  const auto isWithout = [&](std::size_t p) { return hasNoEffect(figures, rows, p); };
+  const std::string text = namesOf(table, isWithout, "figures");
+  if (goals.empty()) return text;
+  const std::string ofGoals = namesOf(
+      table, [&](std::size_t p) { return !isWithout(p) && hasNoEffect(goals, rows, p); },
+      "goals of the Pareto front");
+  return text + (text.empty() || ofGoals.empty() ? "" : "; ") + ofGoals;
 }
 
 std::string csv(const SweepTable& table, const std::vector<SweepRow>& rows) {

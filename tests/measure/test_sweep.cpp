@@ -146,6 +146,14 @@ class TestSweep : public QObject {
     rows[0].figures[1] = 0.1;  // its neighbours along all axes differ from it
     QCOMPARE(effectText(table, rows), std::string());
     QCOMPARE(effectText(table, {}), std::string());
+    SweepTable withGoals = table;
+    withGoals.pareto = {{"megapixels", -1}};
+    rows[3].problem.clear();
+    rows[3].figures[0] = 2;
+    for (std::size_t k = 0; k < rows.size(); ++k) rows[k].figures[1] = k < 4 ? 1 : 2;
+    QCOMPARE(effectText(withGoals, rows),
+             std::string("camera.fov changes none of the figures; psf.sigma changes none of the "
+                         "goals of the Pareto front"));
   }
 
   void headsHaveUnits() {
