@@ -84,7 +84,8 @@ MovedPlane bestPlane(const DepthFigures& figures, const ShearedDepths& sheared) 
     // All shifts between these two have the pixels from the first to the last one inside.
     const double least = places[last] - front;
     const double most = places[first] - behind;
-    const double shift = std::isfinite(most) ? (least + most) / 2 : std::max(least, 0.0);
+    const bool areFinite = std::isfinite(least) && std::isfinite(most);
+    const double shift = areFinite ? (least + most) / 2 : std::clamp(0.0, least, most);
     const double share = double(last + 1 - first) / double(figures.dioptres.size());
     if (share < best.share || (share == best.share && std::abs(shift) >= std::abs(nearest)))
       continue;

@@ -235,6 +235,58 @@ class TestContentDepth : public QObject {
     QCOMPARE(bars.shares.front(), 0.1);
     QVERIFY(std::abs(bars.middle(80) - 0.0125) < 1e-12);
   }
+
+  void shearOfMostPixels_data() {
+    QTest::addColumn<double>("viewingDistance");
+    QTest::addColumn<double>("eye");
+    QTest::newRow("parallel rays") << notGiven << 0.6;
+    QTest::newRow("cameras beyond the eye") << 0.8 << 0.6;
+    QTest::newRow("an eye beyond the cameras") << 0.5 << 3.0;
+  }
+
+  /// Brute force over all shears: none has more pixels inside than the proposed one.
+  void shearOfMostPixels() {
+    QFETCH(double, viewingDistance);
+    QFETCH(double, eye);
+    Session session;
+    session.lightField.layout = Layout::views;
+    session.lightField.viewingDistance = viewingDistance;
+    PanelParams display = displayOf(48, 9, 30);
+    display.viewingDistance = viewingDistance;
+    const DepthLimits limits{eye, 0.25, 0.5, 0.3};
+    DepthFigures figures{"a", limits, {}, {}};
+    for (int k = 0; k < 40; ++k) figures.dioptres.push_back(-0.3 - 0.0008 * k);  // just outside
+    for (int k = 0; k < 30; ++k) figures.dioptres.push_back(-0.2 + 0.015 * k);
+    std::ranges::sort(figures.dioptres);
+    const auto shareAt = [&](double shift) {
+      int inside = 0;
+      for (const double dioptres : figures.dioptres) {
+        const double z = depthAt(dioptres, eye);
+        if (viewingDistance != notGiven && z >= viewingDistance) continue;
+        const double place = disparityOf(z, display, {4, 4})[0] + shift;
+        // The depth at which disparityOf() is that.
+        const double unit = disparityOf(1e-6, display, {4, 4})[0] / 1e-6;
+        const double t = place / unit;
+        const double moved =
+            viewingDistance == notGiven ? t : t * viewingDistance / (viewingDistance + t);
+        const double seen = 1 / (eye - moved) - 1 / eye;
+        inside += moved < eye && std::abs(seen) <= 0.25 * (1 + 1e-6) ? 1 : 0;
+      }
+      return inside / 70.0;
+    };
+    figures.inside = shareAt(0);
+    figures.interval = {figures.dioptres.front(), figures.dioptres.back()};
+    std::string obstacle;
+    const auto proposal = proposedFit(session, display, figures, obstacle);
+    QVERIFY2(proposal, obstacle.c_str());
+    const double shear = proposal->session.lightField.shear[0];
+    const double own = shareAt(shear);
+    double best = 0;
+    for (int k = -4000; k <= 4000; ++k) best = std::max(best, shareAt(0.002 * k));
+    const std::string text = std::to_string(figures.inside) + " " + std::to_string(own) + " " +
+                             std::to_string(best) + " " + std::to_string(shear);
+    QVERIFY2(own >= best && own > figures.inside, text.c_str());
+  }
 };
 
 QTEST_GUILESS_MAIN(TestContentDepth)
