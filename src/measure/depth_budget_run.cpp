@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <span>
 
 #include "core/base/error.h"
@@ -215,18 +216,21 @@ std::optional<DepthProposal> proposedFit(const Session& session, const PanelPara
 DepthBudget measureDepths(const Session& session, LightFieldFile& file, const SourceUse& use,
                           const Progress& progress) {
   DepthBudget budget;
-  const ViewSource source = loadViewSource(session, file, part(progress, 0, 0.2), use);
-  budget.now = depthsOfStates(session, source, part(progress, 0.2, 0.6));
+  std::optional<ViewSource> source = loadViewSource(session, file, part(progress, 0, 0.2), use);
+  budget.now = depthsOfStates(session, *source, part(progress, 0.2, 0.6));
   const DepthFigures& first = budget.now.states.front();
   if (first.dioptres.empty()) throw InputError(first.state, "sees no content whose depth is known");
-  budget.proposal = proposedFit(session, source.display, first, budget.obstacle);
+  budget.proposal = proposedFit(session, source->display, first, budget.obstacle);
   if (!budget.proposal) return budget;
   const Session& moved = budget.proposal->session;
-  const ViewSource movedSource =
-      moved == session ? source : loadViewSource(moved, part(progress, 0.6, 0.7), use);
-  budget.proposal->depths = depthsOfStates(moved, movedSource, part(progress, 0.7, 1));
-  if (moved == session || budget.proposal->depths.states.front().inside > first.inside)
+  if (moved == session) {
+    budget.proposal->depths = budget.now;
     return budget;
+  }
+  source.reset();  // of two light fields one is in memory
+  budget.proposal->depths = depthsOfStates(
+      moved, loadViewSource(moved, part(progress, 0.6, 0.7), use), part(progress, 0.7, 1));
+  if (budget.proposal->depths.states.front().inside > first.inside) return budget;
   budget.proposal.reset();  // what is seen from another place may differ from what was expected
   budget.obstacle = notBetter(first);
   return budget;

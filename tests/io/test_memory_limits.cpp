@@ -9,7 +9,6 @@
 #include "io/scene/light_field_export.h"
 #include "io/scene/view_source.h"
 #include "tests/io/documents.h"
-#include "tests/io/images.h"
 
 using namespace hogelscope;
 
