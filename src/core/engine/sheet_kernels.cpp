@@ -60,7 +60,7 @@ struct EndStrip {
 template <Rays rays>
 inline __attribute__((always_inline)) void endStrip(const SheetMap& m, const double* x,
                                                     const double* y, EndStrip& end) {
-  constexpr double mostLenses = 1e9;
+  constexpr double mostLenses = 1e15;
   Strip<double> lens;
   for (std::size_t k = 0; k < stripSize; ++k) {
     const auto at = [&](const PlaneFunction& f) __attribute__((always_inline)) {
@@ -74,10 +74,17 @@ inline __attribute__((always_inline)) void endStrip(const SheetMap& m, const dou
     end.up[k] = at(m.up) * perZ;
     end.isOn[k] = isOn ? ~0U : 0;
   }
+  // Farther ends, and none, are beside the panel too, and all have a column and a row.
+  const auto limited = [](double place) __attribute__((always_inline)) {
+    constexpr double farthest = 5e8;
+    return std::min(std::max(-farthest, place), farthest);
+  };
   for (std::size_t k = 0; k < stripSize; ++k) {
-    const double whole = static_cast<std::int32_t>(lens[k]);
-    end.right[k] += m.rightOfLens * whole;
-    end.up[k] += m.upOfLens * whole;
+    constexpr double rounding = 0x1p52;  // floor without an integer, which may be too small
+    const double nearest = lens[k] + rounding - rounding;
+    const double whole = nearest > lens[k] ? nearest - 1 : nearest;
+    end.right[k] = limited(end.right[k] + m.rightOfLens * whole);
+    end.up[k] = limited(end.up[k] + m.upOfLens * whole);
   }
 }
 
@@ -168,9 +175,9 @@ inline __attribute__((always_inline)) void findPixels(const SheetMap& m, const B
 inline __attribute__((always_inline)) void packPixels(const Texel<std::uint8_t>* texels,
                                                       const std::array<std::uint32_t*, 3>& address,
                                                       int count, std::uint8_t* rgb) {
-  const auto [r, g, b] = address;
   const auto texelOf = [&](int k) __attribute__((always_inline)) {
-    return Texel<std::uint8_t>{texels[r[k]].r, texels[g[k]].g, texels[b[k]].b, 0};
+    return Texel<std::uint8_t>{texels[address[0][k]].r, texels[address[1][k]].g,
+                               texels[address[2][k]].b, 0};
   };
     // Whole texels are written, each over the previous one's unused byte; the last has no room.
 #pragma GCC unroll 8
@@ -282,11 +289,13 @@ MULTIVERSIONED
 void copySheetRow(const HitMap& map, const BlockLayout& layout, const Texel<std::uint8_t>* texels,
                   const double* x, double y, int count, std::uint8_t* rgb, std::uint8_t* seen) {
   const SheetMap m(map);
-  const auto [first, last] = partOnPanel(m, x, y, count);
-  if (first == last) return;
+  const std::array<int, 2> part = partOnPanel(m, x, y, count);
+  const int first = part[0];
+  const int rays = part[1] - first;
+  if (rays == 0) return;
   withKinds(
-      map, [&, first = first, last = last ](auto kinds) __attribute__((always_inline)) {
-        copyPixels<Rays::row, kinds.value>(m, layout, texels, x + first, &y, last - first,
+      map, [&](auto kinds) __attribute__((always_inline)) {
+        copyPixels<Rays::row, kinds.value>(m, layout, texels, x + first, &y, rays,
                                            rgb + std::ptrdiff_t(3) * first, seen + first);
       });
 }

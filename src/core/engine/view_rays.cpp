@@ -19,8 +19,6 @@ HitMap hitMapOf(const RigidTransform& displayFromCamera, const Display& display)
   map.down = list(displayFromCamera.yAxis);
   map.forward = list(displayFromCamera.zAxis);
   map.panel = display.mapFrom(displayFromCamera.origin);
-  // From a point that is not in front of the panel nothing is seen.
-  if (!(displayFromCamera.origin.z > 0)) map.panel.count = {};
   return map;
 }
 
@@ -233,10 +231,10 @@ void ViewRays::ideals(int y, int x0, int count, const RaySample& sample, IdealBa
 
 void ViewRays::cellsOf(const IdealBatch& ideals, int count, std::size_t point, CellBatch& batch,
                        std::size_t channel) const {
-  if (seesNothing())
-    std::fill_n(batch.seen.begin(), count, std::uint8_t{0});
-  else
+  if (isInFront(point))
     findCells(m_maps[point], ideals.x, ideals.y, count, batch, channel);
+  else
+    std::fill_n(batch.seen.begin(), count, std::uint8_t{0});
 }
 
 void ViewRays::cells(int y, int x0, int count, const RaySample& sample, CellBatch& batch) const {

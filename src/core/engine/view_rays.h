@@ -63,6 +63,9 @@ class ViewRays {
   [[nodiscard]] const Progress& progress() const { return m_progress; }
   /// Whether no point of the aperture is in front of the panel.
   [[nodiscard]] bool seesNothing() const { return m_plan.isBehind; }
+  /// Whether a point of the aperture is in front of the panel. From others nothing is seen, and no
+  /// kernel is asked, since its arithmetic is for eyes in front.
+  [[nodiscard]] bool isInFront(std::size_t point) const { return m_eyes[point].z > 0; }
   /// Returns a point of the aperture in the display frame, metres; the eye, for a pinhole.
   [[nodiscard]] const Vec3& eye(std::size_t point) const { return m_eyes[point]; }
   /// Returns the number of points of the aperture: 1 for a pinhole.

@@ -24,10 +24,11 @@ double distance(const std::array<double, terms>& polynomial, const double* point
   constexpr int lanes = 8;
   std::array<double, lanes> largest{};
   std::array<double, lanes> sum{};  // NaN if one is
-  const auto [p0, p1, p2, p3, p4, p5] = polynomial;
+  const std::array<double, terms> p = polynomial;
   const auto here = [&](int k) {
     const double t = placeInStrip(k);
-    return std::abs(((((p5 * t + p4) * t + p3) * t + p2) * t + p1) * t + p0 - points[k]);
+    return std::abs(((((p[5] * t + p[4]) * t + p[3]) * t + p[2]) * t + p[1]) * t + p[0] -
+                    points[k]);
   };
   const auto note = [&](std::size_t lane, double value) {
     largest[lane] = value > largest[lane] ? value : largest[lane];

@@ -25,7 +25,7 @@ std::vector<double> spotWeights(double sigma) {
   // Beyond some 10 px the Gaussian itself: the Bessel function would overflow.
   const auto weight = [&](int k) {
     return t < 100 ? std::exp(-t) * std::cyl_bessel_i(double(k), t)
-                   : std::exp(-k * k / (2 * t)) / std::sqrt(2 * std::numbers::pi * t);
+                   : std::exp(-double(k) * k / (2 * t)) / std::sqrt(2 * std::numbers::pi * t);
   };
   std::vector<double> half{weight(0)};
   double sum = half[0];
