@@ -273,6 +273,11 @@ void TestLightFieldFile::tilesFromName_data() {
   QTest::newRow("not at the end") << "n_qs8x6a1_small.png" << 0 << 0;
   QTest::newRow("the folder's") << "n_qs8x6a1/quilt.png" << 0 << 0;
   QTest::newRow("too many digits") << "n_qs80000x6a1.png" << 0 << 0;
+  QTest::newRow("no rows") << "n_qs8xa1.png" << 0 << 0;
+  QTest::newRow("the last") << "n_qs3x3a1_qs8x6a1.png" << 8 << 6;
+  QTest::newRow("letters behind") << "n_qs8x6a1b.png" << 0 << 0;
+  QTest::newRow("many letters") << QString(1000000, 'x') << 0 << 0;
+  QTest::newRow("many letters, a suffix") << QString(1000000, 'x') + "_qs8x6a1.png" << 8 << 6;
 }
 
 void TestLightFieldFile::tilesFromName() {

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Layouts "quilt" and "mosaic": one image of views as tiles.
+#include <algorithm>
 #include <cstdlib>
-#include <regex>
+#include <string_view>
 
 #include "core/base/error.h"
 #include "core/base/text.h"
@@ -78,14 +79,40 @@ std::unique_ptr<LightFieldFile> openMosaic(const LightFieldParams& params,
   return std::make_unique<TiledImage>(params, display.directions, false);
 }
 
+/// Returns the length of a text's first digits, at most `most`.
+std::size_t digitsOf(std::string_view text, std::size_t most) {
+  std::size_t count = 0;
+  while (count < std::min(text.size(), most) && text[count] >= '0' && text[count] <= '9') ++count;
+  return count;
+}
+
+/// Takes 1 to 4 digits and a letter from the front of a text; 0 if it does not begin so.
+int takeNumber(std::string_view& text, char letter) {
+  const std::size_t digits = digitsOf(text, 4);
+  if (digits == 0 || !text.substr(digits).starts_with(letter)) return 0;
+  const int number = std::atoi(std::string(text.substr(0, digits)).c_str());
+  text.remove_prefix(digits + 1);
+  return number;
+}
+
+/// Whether a text is a number of at most 3 digits, and 9 behind its point; both may be missing.
+bool isAspect(std::string_view text) {
+  const std::string_view rest = text.substr(digitsOf(text, 3));
+  return rest.empty() || (rest[0] == '.' && digitsOf(rest.substr(1), 9) == rest.size() - 1);
+}
+
 }  // namespace
 
+/// By hand, because std::regex needs some stack for each letter, and names may be long.
 QuiltName quiltNameOf(const std::string& file) {
-  static const std::regex suffix(R"(.*_qs(\d{1,4})x(\d{1,4})a(\d{0,3}(?:\.\d{0,9})?))");
   const std::string stem = fs::path(file).stem().string();
-  std::smatch groups;
-  if (!std::regex_match(stem, groups, suffix)) return {};
-  return {{std::stoi(groups[1]), std::stoi(groups[2])}, std::atof(groups[3].str().c_str())};
+  const std::size_t suffix = stem.rfind("_qs");
+  if (suffix == std::string::npos) return {};
+  std::string_view rest = std::string_view(stem).substr(suffix + 3);
+  const int columns = takeNumber(rest, 'x');
+  const int rows = takeNumber(rest, 'a');
+  if (columns == 0 || rows == 0 || !isAspect(rest)) return {};
+  return {{columns, rows}, std::atof(std::string(rest).c_str())};
 }
 
 std::array<int, 2> quiltTilesOf(const LightFieldParams& params) {
