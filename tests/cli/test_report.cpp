@@ -63,6 +63,7 @@ class TestReport : public QObject {
   void testIsAnImageOfAnotherLayout();
   void pictures();
   void sideBySide();
+  void sideBySideOfSmallPictures();
   void lossyReference();
   void page();
   void summary();
@@ -250,6 +251,17 @@ void TestReport::sideBySide() {
       ++(isZero ? same : different);
     }
   QVERIFY(same > 0 && different > 100);
+}
+
+/// Pictures in which no number of the scale has room.
+void TestReport::sideBySideOfSmallPictures() {
+  for (const char* size : {"[40,1]", "[40,3]", "[40,5]", "[40,7]", "[1,40]", "[1,1]"}) {
+    const Outcome outcome = report({"--test", "b.png", "--states", "a*", "--set",
+                                    QString("camera.res=") + size, "--set", "camera.fov=20"});
+    QVERIFY2(outcome.status == 0, size + outcome.err);
+    QVERIFY2(QFile::exists("out/views/test1_worst.png"), size);
+    QVERIFY(QDir("out").removeRecursively());
+  }
 }
 
 /// A reference of JPEG is told, on the terminal and in the page; tests of JPEG are not.

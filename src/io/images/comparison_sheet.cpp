@@ -49,6 +49,7 @@ void putScale(cv::Mat3b& sheet, const ErrorMap& map, const cv::Rect& place,
     const auto [r, g, b] = map.colourAt(1 - (y + 0.5) / place.height);
     sheet(cv::Rect(place.x, place.y + y, place.width, 1)).setTo(cv::Scalar(r, g, b));
   }
+  if (place.height < sizes.em) return;  // no number has room
   const Axis axis{0, map.errorAt(1), double(place.y + place.height), double(place.y)};
   for (const Tick& tick : linearTicks(axis, 4))
     write(sheet, tick.text,
