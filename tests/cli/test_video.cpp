@@ -74,14 +74,72 @@ class TestVideo : public QObject {
 
   /// All pictures go to ffmpeg, and its file gets its name when it ends well.
   void picturesAreHandedOver() {
-    standIn("cat > \"$0.seen\"\nfor last; do :; done\ncp \"$0.seen\" \"$last\"\n");
+    writeFile("bin/made", videoOf(6));
+    standIn("cat > \"$0.seen\"\n" + copying("made"));
     QCOMPARE(render({"--video", "a.mp4"}).status, 0);
     QByteArray expected;
     for (int k = 1; k <= 6; ++k) {
       const auto rgb = valuesOf<std::uint8_t>(QString("out/Fig %1.png").arg(k));
       expected.append(reinterpret_cast<const char*>(rgb.data()), qsizetype(rgb.size()));
     }
-    QVERIFY(contentOf("a.mp4") == expected);
+    QVERIFY(contentOf("bin/ffmpeg.seen") == expected);
+    QVERIFY(contentOf("a.mp4") == videoOf(6));
+  }
+
+  void noVideoOfAllPictures_data() {
+    QTest::addColumn<QByteArray>("made");
+    QTest::addColumn<QByteArray>("why");
+    const QByteArray whole = videoOf(6);
+    QTest::newRow("nothing") << QByteArray() << QByteArray("a file with 0 of 6 pictures");
+    QTest::newRow("too few") << videoOf(5) << QByteArray("a file with 5 of 6 pictures");
+    QTest::newRow("without its end")
+        << whole.first(whole.indexOf("moov") - 4) << QByteArray("a file with 0 of 6 pictures");
+    QTest::newRow("cut off") << whole.chopped(1) << QByteArray("a file with 0 of 6 pictures");
+    QTest::newRow("another file") << QByteArray(1000, '\0')
+                                  << QByteArray("a file with 0 of 6 pictures");
+  }
+
+  /// An ffmpeg that ends with 0 all the same, as on a full disk.
+  void noVideoOfAllPictures() {
+    QFETCH(const QByteArray, made);
+    QFETCH(const QByteArray, why);
+    writeFile("bin/made", made);
+    writeFile("a.mp4", "old");
+    standIn("cat > /dev/null\n" + copying("made"));
+    const Outcome outcome = render({"--video", "a.mp4"});
+    QCOMPARE(outcome.status, 2);
+    QCOMPARE(outcome.err, "hogelscope: a.mp4: cannot be written: ffmpeg made " + why + "\n");
+    QCOMPARE(contentOf("a.mp4"), QByteArray("old"));
+  }
+
+  /// What ffmpeg prints of its errors is not passed over.
+  void ffmpegComplains() {
+    writeFile("bin/made", videoOf(6));
+    standIn("cat > /dev/null\necho No space left >&2\n" + copying("made"));
+    const Outcome outcome = render({"--video", "a.mp4"});
+    QCOMPARE(outcome.status, 2);
+    QCOMPARE(outcome.err,
+             QByteArray("hogelscope: a.mp4: cannot be written: ffmpeg: No space left\n"));
+    QVERIFY(!QFile::exists("a.mp4"));
+  }
+
+  /// With the real ffmpeg, on a disk of a few kB.
+  void fullDisk() {
+    if (QStandardPaths::findExecutable("ffmpeg").isEmpty()) QSKIP("no ffmpeg in PATH");
+    const QString script =
+        "mkdir disk && mount -t tmpfs -o size=4k none disk && : > disk/ready && \"$@\"; s=$?; "
+        "ls disk >names; exit $s";
+    QProcess process;
+    process.setProcessEnvironment(environment());
+    process.setWorkingDirectory(m_folder->path());
+    process.start("unshare", QStringList{"-rm", "sh", "-c", script, "sh", HOGELSCOPE_PROGRAM} +
+                                 job({"--between", "9", "--video", "disk/a.mp4"}));
+    const Outcome outcome = ended(process);
+    if (contentOf("names") != "ready\n" && contentOf("names") != "a.mp4\nready\n")
+      QSKIP("no file system can be mounted here");
+    QCOMPARE(outcome.status, 2);
+    QVERIFY2(outcome.err.startsWith("hogelscope: disk/a.mp4: cannot be written: "), outcome.err);
+    QCOMPARE(contentOf("names"), QByteArray("ready\n"));
   }
 
   void withoutFfmpeg() {
@@ -173,17 +231,38 @@ class TestVideo : public QObject {
   }
 
  private:
-  void begin(QProcess& process, const QStringList& more, const char* size = "camera.res=[41,30]") {
+  /// Returns an MP4 of boxes alone, whose first track has so many pictures.
+  static QByteArray videoOf(char pictures) {
+    const auto box = [](const QByteArray& type, const QByteArray& content) {
+      const auto size = char(8 + content.size());
+      return QByteArray(3, '\0') + size + type + content;
+    };
+    const QByteArray sizes = box("stsz", QByteArray(11, '\0') + pictures);
+    QByteArray track = box("stbl", box("stsd", "") + sizes);
+    for (const char* type : {"minf", "mdia", "trak", "moov"})
+      track = box(type, box("free", "x") + track);
+    return box("ftyp", "isom") + box("mdat", "pictures") + track;
+  }
+  /// Returns a line of a stand-in that makes a file of bin/ its video.
+  static QByteArray copying(const QByteArray& name) {
+    return "for last; do :; done\ncat \"${0%/*}/" + name + "\" > \"$last\"\n";
+  }
+  static QStringList job(const QStringList& more, const char* size = "camera.res=[41,30]") {
+    return QStringList{"--render", "--session", sampleSession, "--output", "out", "--set", size} +
+           more;
+  }
+  /// Returns the environment, with the stand-in alone in PATH if there is one or must be none.
+  [[nodiscard]] QProcessEnvironment environment() const {
     QProcessEnvironment environment = withoutDisplay();
-    const QString programs = QTest::currentTestFunction() == QByteArray("video")
-                                 ? environment.value("PATH")
-                                 : m_folder->filePath("bin");
-    environment.insert("PATH", programs);
-    process.setProcessEnvironment(environment);
+    const QByteArray test = QTest::currentTestFunction();
+    if (test != "video" && test != "fullDisk")
+      environment.insert("PATH", m_folder->filePath("bin"));
+    return environment;
+  }
+  void begin(QProcess& process, const QStringList& more, const char* size = "camera.res=[41,30]") {
+    process.setProcessEnvironment(environment());
     process.setWorkingDirectory(m_folder->path());
-    process.start(HOGELSCOPE_PROGRAM, QStringList{"--render", "--session", sampleSession,
-                                                  "--output", "out", "--set", size} +
-                                          more);
+    process.start(HOGELSCOPE_PROGRAM, job(more, size));
   }
   Outcome render(const QStringList& more) {
     QProcess process;

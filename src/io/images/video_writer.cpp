@@ -7,10 +7,14 @@
 #include <sys/socket.h>
 #include <sys/wait.h>
 #include <unistd.h>
+
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <csignal>
+#include <cstdint>
 #include <cstring>
+#include <optional>
 #include <sstream>
 #include <utility>
 #include <vector>
@@ -51,6 +55,54 @@ pid_t started(const std::string& program, const std::string& arguments, int inpu
   return process;
 }
 
+/// A part of a file, from and to a byte.
+struct Part {
+  std::uint64_t first = 0;
+  std::uint64_t end = 0;
+};
+
+/// Reads `bytes` bytes of big-endian at a place of a file; none if they are not there.
+std::optional<std::uint64_t> numberAt(int file, std::uint64_t at, std::size_t bytes) {
+  std::array<std::uint8_t, 8> read{};
+  if (::pread(file, read.data(), bytes, off_t(at)) != ssize_t(bytes)) return std::nullopt;
+  std::uint64_t number = 0;
+  for (std::size_t k = 0; k < bytes; ++k) number = number << 8U | read[k];
+  return number;
+}
+
+/// Returns the content of a part's first box of a type (ISO 14496-12, 4.2); none if there is none,
+/// or a box before it is not whole.
+std::optional<Part> boxIn(int file, const Part& part, std::uint32_t type) {
+  for (std::uint64_t at = part.first; at < part.end;) {
+    auto size = numberAt(file, at, 4);
+    const auto found = numberAt(file, at + 4, 4);
+    const std::uint64_t head = size == 1U ? 16 : 8;
+    if (size == 1U) size = numberAt(file, at + 8, 8);
+    if (!size || !found || *size < head || *size > part.end - at) return std::nullopt;
+    if (*found == type) return Part{at + head, at + *size};
+    at += *size;
+  }
+  return std::nullopt;
+}
+
+constexpr std::uint32_t typeOf(const char (&name)[5]) {
+  std::uint32_t type = 0;
+  for (std::size_t k = 0; k < 4; ++k) type = type << 8U | std::uint8_t(name[k]);
+  return type;
+}
+
+/// Returns the number of pictures of an MP4's first track; 0 if the file is not a whole MP4.
+std::uint64_t picturesIn(int file) {
+  const off_t size = ::lseek(file, 0, SEEK_END);
+  const Part whole{0, std::uint64_t(std::max<off_t>(0, size))};
+  if (!boxIn(file, whole, typeOf("ftyp"))) return 0;
+  std::optional<Part> part = whole;
+  for (const std::uint32_t type : {typeOf("moov"), typeOf("trak"), typeOf("mdia"), typeOf("minf"),
+                                   typeOf("stbl"), typeOf("stsz")})
+    if (part) part = boxIn(file, *part, type);
+  return part ? numberAt(file, part->first + 8, 4).value_or(0) : 0;
+}
+
 }  // namespace
 
 VideoWriter::VideoWriter(const std::filesystem::path& file, const std::array<int, 2>& size,
@@ -85,6 +137,7 @@ VideoWriter::~VideoWriter() {
 }
 
 void VideoWriter::add(std::span<const std::uint8_t> rgb, const Progress& progress) {
+  ++m_count;
   pollfd place{m_pictures.get(), POLLOUT, 0};
   while (!rgb.empty()) {
     const ssize_t sent =
@@ -107,6 +160,12 @@ void VideoWriter::finish(const Progress& progress) {
     reportProgress(progress, 1);
   // Where SIGCHLD is ignored nobody says how it ended: its video may be cut off.
   if (std::exchange(m_process, -1) != ended || status != 0) fail();
+  // It also ends with 0 when the disk is full, and then only says so.
+  if (::lseek(m_messages.get(), 0, SEEK_END) > 0) fail();
+  if (const std::uint64_t found = picturesIn(m_file.descriptor()); found != m_count)
+    throw InputError(m_path.string(), "cannot be written",
+                     "ffmpeg made a file with " + std::to_string(found) + " of " +
+                         std::to_string(m_count) + " pictures");
   m_file.commit();
 }
 

@@ -4,6 +4,7 @@
 
 #include <sys/types.h>
 
+#include <cstdint>
 #include <span>
 
 #include "core/base/progress.h"
@@ -25,7 +26,7 @@ class VideoWriter {
 
   /// Adds a picture of 8-bit RGB, row by row; waits while the program is busy. Throws Cancelled.
   void add(std::span<const std::uint8_t> rgb, const Progress& progress);
-  /// Waits for the program and names the file. Throws Cancelled.
+  /// Waits for the program, counts the pictures of its file and names it. Throws Cancelled.
   void finish(const Progress& progress);
 
  private:
@@ -36,6 +37,7 @@ class VideoWriter {
   Descriptor m_messages;  ///< what ffmpeg prints
   Descriptor m_pictures;  ///< what it reads
   pid_t m_process = -1;
+  std::uint64_t m_count = 0;  ///< pictures
 };
 
 }  // namespace hogelscope
