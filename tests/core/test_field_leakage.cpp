@@ -7,6 +7,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "tests/core/random_twin.h"
+
 using namespace hogelscope;
 
 namespace {
@@ -47,6 +49,8 @@ class TestFieldLeakage : public QObject {
   void colourIsDiffracted_data();
   void colourIsDiffracted();
   void kernelsOfTheirPart();
+  void kernelsLargerThanTheHogel_data();
+  void kernelsLargerThanTheHogel();
   void isNotNeededWithoutErrors();
 };
 
@@ -127,6 +131,47 @@ void TestFieldLeakage::kernelsOfTheirPart() {
     QCOMPARE(light.g, double(u + (tile + 1) % 3 - 1));
     QCOMPARE(light.b, double(u + (tile + 2) % 3 - 1));
   }
+}
+
+void TestFieldLeakage::kernelsLargerThanTheHogel_data() {
+  QTest::addColumn<PsfBorder>("border");
+  QTest::newRow("renormalise") << PsfBorder::renormalise;
+  QTest::newRow("clamp") << PsfBorder::clamp;
+  QTest::newRow("black") << PsfBorder::black;
+}
+
+/// To the last bit the sum over all taps, of which those beside the hogel have no light, the
+/// edge's, or count in the mean alone.
+void TestFieldLeakage::kernelsLargerThanTheHogel() {
+  QFETCH(const PsfBorder, border);
+  constexpr int side = 21;
+  constexpr int directions = 6;
+  Random random(4);
+  TwinMaps maps;
+  for (auto& kernel : maps.kernels) kernel = randomPlane(random, side, side, 0, 1);
+  const Twin twin({}, maps, displayOf(directions));
+  const FieldLeakage leakage(twin, {1, 1, border});
+  const LightFieldSize size{2, 2, directions, directions};
+  const auto content = [](const TexelIndex& at) { return std::cos(7.0 * at.u + 13.0 * at.v); };
+  const auto edge = [](int at) { return std::clamp(at, 0, directions - 1); };
+  for (int v = 0; v < directions; ++v)
+    for (int u = 0; u < directions; ++u) {
+      double sum = 0;
+      double total = 0;
+      for (int y = 0; y < side; ++y)
+        for (int x = 0; x < side; ++x) {
+          const TexelIndex tap{0, 0, u + x - side / 2, v + y - side / 2};
+          const TexelIndex inside{0, 0, edge(tap.u), edge(tap.v)};
+          const double weight = double(maps.kernels[1].values[std::size_t(side * y + x)]);
+          const bool isInside = tap.u == inside.u && tap.v == inside.v;
+          if (isInside || border == PsfBorder::clamp) sum += weight * content(inside);
+          if (isInside || border != PsfBorder::renormalise) total += weight;
+        }
+      const Rgb light = leakage.leaked(size, {0, 0, u, v}, [&](const TexelIndex& at) {
+        return Rgb{0, content(at), 0};
+      });
+      QVERIFY(light.g == sum / total);
+    }
 }
 
 void TestFieldLeakage::isNotNeededWithoutErrors() {

@@ -69,14 +69,16 @@ std::vector<double> FieldLeakage::alongAxis(double sigma, std::size_t axis,
   return weights;
 }
 
-std::vector<double> FieldLeakage::weights(int u, int v, std::size_t channel) const {
-  if (m_twin.hasKernels()) return m_twin.kernelAt(u, v, channel);
+std::vector<double> FieldLeakage::weights(int u, int v, std::size_t channel, const TapRange& across,
+                                          const TapRange& down) const {
+  if (m_twin.hasKernels()) return m_twin.kernelAt(u, v, channel, across, down);
   const double sigma = m_twin.sigmaAt(u, v, m_psf.sigma);
-  const std::vector<double> across = alongAxis(sigma, 0, channel);
-  const std::vector<double> down = alongAxis(sigma, 1, channel);
+  const std::vector<double> ofX = alongAxis(sigma, 0, channel);
+  const std::vector<double> ofY = alongAxis(sigma, 1, channel);
   std::vector<double> product;
-  for (const double y : down)
-    for (const double x : across) product.push_back(y * x);
+  for (int y = down.first; y <= down.last; ++y)
+    for (int x = across.first; x <= across.last; ++x)
+      product.push_back(ofY[std::size_t(y + m_reach)] * ofX[std::size_t(x + m_reach)]);
   return product;
 }
 

@@ -25,8 +25,13 @@ class FieldLeakage {
   template <class TexelLight>
   [[nodiscard]] Rgb leaked(const LightFieldSize& size, const TexelIndex& at,
                            const TexelLight& texel) const;
-  /// Returns the weights of a channel at direction (u, v), row by row, not normalised.
-  [[nodiscard]] std::vector<double> weights(int u, int v, std::size_t channel) const;
+  /// Returns the weights of a channel's taps at direction (u, v), row by row, not normalised.
+  [[nodiscard]] std::vector<double> weights(int u, int v, std::size_t channel,
+                                            const TapRange& across, const TapRange& down) const;
+  /// Returns those of all taps.
+  [[nodiscard]] std::vector<double> weights(int u, int v, std::size_t channel) const {
+    return weights(u, v, channel, {-m_reach, m_reach}, {-m_reach, m_reach});
+  }
 
  private:
   [[nodiscard]] std::vector<double> alongAxis(double sigma, std::size_t axis,
@@ -46,18 +51,26 @@ Rgb FieldLeakage::leaked(const LightFieldSize& size, const TexelIndex& at,
   std::array<double, 3> sum{};
   std::array<double, 3> total{};
   const bool hasColours = m_twin.leaksByColour();
+  // Taps beside the hogel count where they give light or take it from the mean.
+  const auto taps = [this](int own, int count) {
+    return m_psf.border == PsfBorder::renormalise
+               ? TapRange{std::max(-m_reach, -own), std::min(m_reach, count - 1 - own)}
+               : TapRange{-m_reach, m_reach};
+  };
+  const TapRange across = taps(at.u, size.du);
+  const TapRange down = taps(at.v, size.dv);
   std::array<std::vector<double>, 3> weight;
-  for (std::size_t c = 0; c < (hasColours ? 3 : 1); ++c) weight[c] = weights(at.u, at.v, c);
+  for (std::size_t c = 0; c < (hasColours ? 3 : 1); ++c)
+    weight[c] = weights(at.u, at.v, c, across, down);
   std::size_t k = 0;
-  for (int y = -m_reach; y <= m_reach; ++y)
-    for (int x = -m_reach; x <= m_reach; ++x, ++k) {
+  for (int y = down.first; y <= down.last; ++y)
+    for (int x = across.first; x <= across.last; ++x, ++k) {
       TexelIndex tap{at.i, at.j, at.u + x, at.v + y};
       if (m_psf.border == PsfBorder::clamp) {
         tap.u = std::clamp(tap.u, 0, size.du - 1);
         tap.v = std::clamp(tap.v, 0, size.dv - 1);
       }
       const bool isInside = tap.u >= 0 && tap.u < size.du && tap.v >= 0 && tap.v < size.dv;
-      if (!isInside && m_psf.border != PsfBorder::black) continue;
       const Rgb light = isInside ? texel(tap) : Rgb{};
       for (std::size_t c = 0; c < 3; ++c) {
         const double w = weight[hasColours ? c : 0][k];

@@ -247,7 +247,8 @@ void Twin::checkKernels() const {
   for (int v = 0; v < tiles && v < dv; ++v)
     for (int u = 0; u < tiles && u < du; ++u)
       for (std::size_t c = 0; c < 3; ++c) {
-        const std::vector<double> kernel = kernelAt(u * du / tiles, v * dv / tiles, c);
+        const TapRange all{-kernelReach(), kernelReach()};
+        const std::vector<double> kernel = kernelAt(u * du / tiles, v * dv / tiles, c, all, all);
         const double sum = std::accumulate(kernel.begin(), kernel.end(), 0.0);
         if (std::ranges::any_of(kernel, [](double w) { return w < 0; }) || !(sum > 0))
           throw InputError("twin.maps.kernels", "kernel (" + std::to_string(u) + ", " +
@@ -475,18 +476,19 @@ double Twin::diffractionStep(std::size_t axis, std::size_t channel) const {
   return m_array.pitch[axis] * step / m_design.directions[axis] / wavelength;
 }
 
-std::vector<double> Twin::kernelAt(int u, int v, std::size_t channel) const {
+std::vector<double> Twin::kernelAt(int u, int v, std::size_t channel, const TapRange& across,
+                                   const TapRange& down) const {
   const auto [du, dv] = m_design.directions;
   const TwinPlane& image = m_maps.kernels[channel];
   const int tiles = m_params.maps.kernelTiles;
   const int side = 2 * kernelReach() + 1;
-  const int left = u * tiles / du * side;
-  const int top = v * tiles / dv * side;
+  const int middleX = u * tiles / du * side + kernelReach();
+  const int middleY = v * tiles / dv * side + kernelReach();
   std::vector<double> kernel;
-  for (int y = 0; y < side; ++y)
-    for (int x = 0; x < side; ++x)
-      kernel.push_back(double(
-          image.values[std::size_t(top + y) * std::size_t(image.width) + std::size_t(left + x)]));
+  for (int y = middleY + down.first; y <= middleY + down.last; ++y)
+    for (int x = middleX + across.first; x <= middleX + across.last; ++x)
+      kernel.push_back(
+          double(image.values[std::size_t(y) * std::size_t(image.width) + std::size_t(x)]));
   return kernel;
 }
 

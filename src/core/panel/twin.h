@@ -54,6 +54,12 @@ struct LensArrayMap {
   double convergence = 0;           ///< 1/viewingDistance
 };
 
+/// Taps of a kernel along an axis, counted from its middle.
+struct TapRange {
+  int first;
+  int last;
+};
+
 class Twin {
  public:
   /// `design` has its hogels and directions. Throws InputError (twin.…) if a map folds, Cancelled.
@@ -155,11 +161,12 @@ class Twin {
   [[nodiscard]] double sigmaAt(int u, int v, double sigma) const;
   /// Returns a direction's width in units of the diffraction pattern, λ/p of slope; 0 without one.
   [[nodiscard]] double diffractionStep(std::size_t axis, std::size_t channel) const;
-  /// Returns n of kernels of 2n + 1 pixels, and a direction's kernel, row by row.
+  /// Returns n of kernels of 2n + 1 pixels, and those taps of a direction's kernel, row by row.
   [[nodiscard]] int kernelReach() const {
     return (m_maps.kernels[0].width / m_params.maps.kernelTiles - 1) / 2;
   }
-  [[nodiscard]] std::vector<double> kernelAt(int u, int v, std::size_t channel) const;
+  [[nodiscard]] std::vector<double> kernelAt(int u, int v, std::size_t channel,
+                                             const TapRange& across, const TapRange& down) const;
 
   /// Returns the light of a ray, linear 0 … 1, whose pixels send `content`. `hits` are those of its
   /// colours.
