@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cli/program.h"
 
+#include <atomic>
 #include <csignal>
+#include <cstdlib>
 #include <exception>
 #include <filesystem>
 #include <new>
@@ -16,6 +18,7 @@
 #include "core/base/parallel.h"
 #include "io/files/files_in_use.h"
 #include "io/files/system_limits.h"
+#include "io/files/temporary_files.h"
 #include "io/plugins/plugin_list.h"
 
 namespace hogelscope {
@@ -23,6 +26,26 @@ namespace hogelscope {
 namespace {
 
 enum ExitStatus { badInput = 2, internalError = 3 };
+
+/// While it lives, a plugin or a library that calls exit() does not look like the job's end.
+class UnfinishedJob {
+ public:
+  UnfinishedJob() {
+    std::atexit([] {
+      if (!isUnfinished) return;
+      removeTemporaries();
+      printNote("internal error: a plugin or a library ended the program before the job's end");
+      std::_Exit(internalError);
+    });
+    isUnfinished = true;
+  }
+  UnfinishedJob(const UnfinishedJob&) = delete;
+  UnfinishedJob& operator=(const UnfinishedJob&) = delete;
+  ~UnfinishedJob() { isUnfinished = false; }
+
+ private:
+  static inline std::atomic<bool> isUnfinished = false;
+};
 
 }  // namespace
 
@@ -59,6 +82,7 @@ void usePluginFolders(const CommandLine& line) {
 }
 
 int runBatch(const CommandLine& line) {
+  const UnfinishedJob unfinished;
   if (line.mayHave("threads")) setThreads(int(line.number("threads").value_or(0)));
   usePluginFolders(line);
   try {

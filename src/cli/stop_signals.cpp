@@ -34,6 +34,13 @@ void remember(int signal) {
   errno = error;
 }
 
+/// A shell's `job &` ignores SIGINT, since Ctrl-C is for the job in front: it stays so.
+void catchUnlessIgnored(int signal) {
+  struct sigaction before {};
+  if (::sigaction(signal, nullptr, &before) == 0 && before.sa_handler == SIG_IGN) return;
+  std::signal(signal, remember);
+}
+
 /// Waits for another signal. Returns false if none arrives.
 bool signalComesWithin(long milliseconds) {
   constexpr long nanosecondsPerSecond = 1000000000;
@@ -74,8 +81,8 @@ void catchSignals() {
     isWatched = 1;
   } catch (const std::system_error&) {  // no thread: a second signal ends at once
   }
-  std::signal(SIGINT, remember);
-  std::signal(SIGTERM, remember);
+  catchUnlessIgnored(SIGINT);
+  catchUnlessIgnored(SIGTERM);
 }
 
 bool mustStop() {

@@ -98,6 +98,17 @@ class TestStopSignals : public QObject {
     QCOMPARE(namesIn("."), QStringList());
   }
 
+  /// As of a script's `job &`.
+  void ignoredStaysIgnored() {
+    std::signal(SIGINT, SIG_IGN);
+    const Child child(hearAndSleep);
+    std::signal(SIGINT, SIG_DFL);
+    child.send(SIGINT);
+    child.send(SIGTERM);
+    QCOMPARE(child.end(), SIGTERM);
+    QCOMPARE(namesIn("."), QStringList());
+  }
+
   void stopsInOrder() {
     const Child child([] {
       while (!mustStop()) QTest::qSleep(1);

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Tests the hashes of files against a known one and against xxh128sum itself.
+#include <sys/stat.h>
+
 #include <QProcess>
 #include <QTemporaryDir>
 #include <QTest>
@@ -18,6 +20,7 @@ class TestContentHash : public QObject {
   void ofFiles();
   void stops();
   void missing();
+  void devicesAndPipes();
 
  private:
   QTemporaryDir m_folder;
@@ -51,6 +54,14 @@ void TestContentHash::missing() {
   QVERIFY(errorOf([] {
             (void)contentHash(std::vector<std::filesystem::path>{"none.png"});
           }).startsWith("none.png: cannot be read: "));
+}
+
+/// They may have no end, or no beginning.
+void TestContentHash::devicesAndPipes() {
+  QCOMPARE(::mkfifo("pipe", 0600), 0);
+  for (const char* file : {"/dev/zero", "pipe"})
+    QCOMPARE(errorOf([file] { (void)contentHash(std::vector<std::filesystem::path>{file}); }),
+             QString(file) + ": is a device or a pipe, not a file");
 }
 
 QTEST_GUILESS_MAIN(TestContentHash)

@@ -5,6 +5,7 @@
 #include <atomic>
 #include <exception>
 #include <execution>
+#include <latch>
 #include <mutex>
 #include <system_error>
 #include <thread>
@@ -48,6 +49,23 @@ int coreCount() {
 
 std::atomic<int> theThreadCount = coreCount();
 
+/// Whether the system allows a thread for each core. TBB ends the process where it does not.
+bool hasThreads() {
+  static const bool areStarted = [] {
+    std::latch end(1);
+    std::vector<std::jthread> threads;
+    bool areAllowed = true;
+    try {
+      for (int k = 1; k < coreCount(); ++k) threads.emplace_back([&end] { end.wait(); });
+    } catch (const std::system_error&) {
+      areAllowed = false;
+    }
+    end.count_down();
+    return areAllowed;
+  }();
+  return areStarted;
+}
+
 }  // namespace
 
 void serialRows(int count, const std::function<void(int begin, int end)>& rows) {
@@ -64,7 +82,10 @@ void parallelRows(int count, const std::function<void(int begin, int end)>& rows
 #ifdef __SANITIZE_THREAD__  // TBB, used by GCC's parallel algorithms, is not built for it
   sideBySide(workers.size(), int(workers.size()), [&](std::size_t, std::size_t) { work(); });
 #else
-  std::for_each(std::execution::par, workers.begin(), workers.end(), [&](int) { work(); });
+  if (workers.size() > 1 && hasThreads())
+    std::for_each(std::execution::par, workers.begin(), workers.end(), [&](int) { work(); });
+  else
+    work();
 #endif
   pieces.rethrow();
 }

@@ -47,8 +47,12 @@ std::string hashOf(const fs::path& path, const Progress& progress) {
   const auto failed = [&path] {
     return InputError(path.string(), "cannot be read", std::strerror(errno));
   };
-  const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
-  if (file.get() < 0) throw failed();
+  // Without O_NONBLOCK a pipe would wait for its writer.
+  const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
+  struct stat facts {};
+  if (file.get() < 0 || ::fstat(file.get(), &facts) != 0) throw failed();
+  if (!S_ISREG(facts.st_mode) && !S_ISDIR(facts.st_mode))
+    throw InputError(path.string(), "", "is a device or a pipe, not a file");
   ContentHash hash;
   std::vector<std::byte> block(std::size_t{1} << 20);
   while (true) {
