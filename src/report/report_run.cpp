@@ -5,6 +5,7 @@
 #include <atomic>
 #include <chrono>
 #include <limits>
+#include <new>
 #include <set>
 
 #include "campaign/journal.h"
@@ -161,13 +162,18 @@ void ReportRun::compareState(std::size_t test, std::size_t state, std::size_t wo
         writeImages(m_folder, test, row.state, pair, m_progress.within());
         return 0;
       });
-    if (seesAnything(pair.reference) || seesAnything(pair.test))
-      row.values = m_comparing.of([&] {
-        return m_request.metrics.compare(pair.reference, pair.test, m_pairs.renderer(worker).rows(),
-                                         m_progress.within(), m_pairs.viewing(state));
-      });
-    else
+    if (!seesAnything(pair.reference) && !seesAnything(pair.test))
       row.problem = seesNothing;
+    else
+      try {
+        row.values = m_comparing.of([&] {
+          return m_request.metrics.compare(pair.reference, pair.test,
+                                           m_pairs.renderer(worker).rows(), m_progress.within(),
+                                           m_pairs.viewing(state));
+        });
+      } catch (const std::bad_alloc&) {
+        row.problem = "not enough memory to compare its pictures";
+      }
     if (m_request.isAgainstDesign && row.problem.empty())
       std::ranges::copy(moveValues(m_pairs.moves(state, worker, m_progress.within())),
                         row.values.end() - 2);

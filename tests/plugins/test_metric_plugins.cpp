@@ -52,6 +52,8 @@ class TestMetricPlugins : public QObject {
   void bothFigures();
   void areTold_data();
   void areTold();
+  void withoutMemoryAReportGoesOn();
+  void exitIsNoEnd();
   void aReportGoesOn();
   void anotherMetricIsAnotherReport();
   void inSessions();
@@ -197,6 +199,32 @@ void TestMetricPlugins::areTold() {
       QVERIFY2(says(cell, expected[std::size_t(column)]), qPrintable(names[column] + cell));
     }
   }
+}
+
+/// Its figures are not known, which the rows say.
+void TestMetricPlugins::withoutMemoryAReportGoesOn() {
+  writePlugin(path("p/hungry"), contentOf(HOGELSCOPE_WRONG_PLUGINS "/hungry.so"),
+              {{"name", "\"hungry\""}, {"kinds", "[\"metric\"]"}});
+  const Outcome made =
+      report({"--output", "hungry", "--plugins-path", "p", "--set", "metrics=[\"hungry\"]"},
+             m_folder.path());
+  QVERIFY2(made.status == 0, made.err);
+  const QString problem = "not enough memory to compare its pictures";
+  QCOMPARE(columnOf("hungry/metrics.csv", "problem"), QStringList({problem, problem, problem}));
+}
+
+/// A plugin that ends the program with 0 has not made the report.
+void TestMetricPlugins::exitIsNoEnd() {
+  writePlugin(path("p/exits"), contentOf(HOGELSCOPE_WRONG_PLUGINS "/exits.so"),
+              {{"name", "\"exits\""}, {"kinds", "[\"metric\"]"}});
+  const Outcome ended =
+      report({"--output", "exits", "--plugins-path", "p", "--set", "metrics=[\"exits\"]"},
+             m_folder.path());
+  QCOMPARE(ended.status, 3);
+  QVERIFY2(ended.err.endsWith("hogelscope: internal error: a plugin or a library ended the program "
+                              "before the job's end\n"),
+           ended.err);
+  QVERIFY(!QFile::exists("exits/report.html"));
 }
 
 /// A journal of the same request is taken up; one of other metrics is not.

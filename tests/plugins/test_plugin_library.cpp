@@ -129,8 +129,8 @@ void TestPluginLibrary::wrongLibraries() {
   QCOMPARE(load(), "plugin wrong: " + m_place + "/wrong.so" + line);
 }
 
-/// plugin.json fits these, so the loader of libraries is what refuses them. A truncated library,
-/// which would end the process, has another size than plugin.json says.
+/// plugin.json fits these, so the loader of libraries is what refuses them, but not a truncated
+/// one, which would end the process.
 void TestPluginLibrary::makesNothing() {
   install("makes_nothing");
   const PluginLibrary library = loadPlugin("wrong", PluginKind::metric);
@@ -143,6 +143,11 @@ void TestPluginLibrary::makesNothing() {
   install("throws");
   writeFile(m_place + "/wrong.so", whole.first(whole.size() / 3));
   QVERIFY(load().contains("plugin.json: bytes: wrong.so has "));
+  for (const double part : {0.01, 0.1, 0.3, 0.5, 0.9, 0.9999}) {
+    writePlugin(m_place, whole.first(qsizetype(part * double(whole.size()))));
+    QVERIFY2(load().endsWith("plugin.json: file: wrong.so is cut off: install the plugin again"),
+             qPrintable(load()));
+  }
   for (const QByteArray& text : {QByteArray("#!/bin/sh\n"), QByteArray(5000, 'x')}) {
     install("throws");
     writePlugin(m_place, text);

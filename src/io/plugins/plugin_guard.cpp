@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <optional>
 #include <utility>
 
 #include "core/base/text.h"
@@ -153,7 +154,16 @@ class GuardedMetric final : public plugin::Metric {
   }
   [[nodiscard]] plugin::Figures compareBoth(const plugin::View& reference, const plugin::View& test,
                                             const plugin::Viewing& viewing) const override {
-    return guarded(m_name, [&] { return m_metric->compareBoth(reference, test, viewing); });
+    // Pictures that take too much memory are no fault of the plugin.
+    const auto figures = guarded(m_name, [&]() -> std::optional<plugin::Figures> {
+      try {
+        return m_metric->compareBoth(reference, test, viewing);
+      } catch (const std::bad_alloc&) {
+        return std::nullopt;
+      }
+    });
+    if (!figures) throw std::bad_alloc();
+    return *figures;
   }
 
  private:

@@ -1,14 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/plugins/plugin_list.h"
 
+#include <elf.h>
+
 #include <algorithm>
 #include <cstdlib>
+#include <cstring>
 #include <limits>
+#include <span>
 
 #include "core/base/error.h"
 #include "core/base/plugin_params.h"
 #include "io/files/atomic_file.h"
 #include "io/files/folders.h"
+#include "io/files/random_access_file.h"
 #include "io/json/json_parameters.h"
 #include "sdk/hogelscope/plugin.h"
 
@@ -110,8 +115,29 @@ void checkNumbers(const Json& document) {
                               ": build the plugin with the compiler that built this program");
 }
 
-/// Throws InputError unless the library is a file of the size in plugin.json, in the plugin's own
-/// folder.
+/// Whether a library's header names parts beyond its end: dlopen() would end the process. What is
+/// no library of 64 bits is left to dlopen(), which refuses it.
+bool isCutOff(const fs::path& library) {
+  const RandomAccessFile file(library);
+  Elf64_Ehdr header{};
+  const std::size_t read = file.readSome(0, std::as_writable_bytes(std::span(&header, 1)));
+  if (read < sizeof header || std::memcmp(header.e_ident, ELFMAG, SELFMAG) != 0 ||
+      header.e_ident[EI_CLASS] != ELFCLASS64)
+    return false;
+  const auto isBeyond = [&file](std::uint64_t at, std::uint64_t bytes) {
+    return at > file.size() || bytes > file.size() - at;
+  };
+  if (isBeyond(header.e_shoff, std::uint64_t(header.e_shentsize) * header.e_shnum) ||
+      isBeyond(header.e_phoff, sizeof(Elf64_Phdr) * header.e_phnum))
+    return true;
+  std::vector<Elf64_Phdr> parts(header.e_phnum);
+  file.read(header.e_phoff, std::as_writable_bytes(std::span(parts)));
+  return std::ranges::any_of(
+      parts, [&](const Elf64_Phdr& part) { return isBeyond(part.p_offset, part.p_filesz); });
+}
+
+/// Throws InputError unless the library is a whole file of the size in plugin.json, in the plugin's
+/// own folder.
 void checkLibrary(const fs::path& folder, const PluginDocument& document) {
   const fs::path file = document.file;
   if (file.empty() || file != file.filename() || file == "." || file == "..")
@@ -127,6 +153,8 @@ void checkLibrary(const fs::path& folder, const PluginDocument& document) {
     throw InputError("bytes", document.file + " has " + std::to_string(bytes) + " bytes, not " +
                                   std::to_string(document.bytes) +
                                   ": it is damaged or was replaced; install the plugin again");
+  if (isCutOff(real))
+    throw InputError("file", document.file + " is cut off: install the plugin again");
 }
 
 void readPlugin(FoundPlugin& found) {
