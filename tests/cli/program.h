@@ -10,6 +10,9 @@
 #include <QStringList>
 #include <csignal>
 
+/// Programs inherit what is ignored, as SIGINT is where a script has started the tests with `&`.
+inline const auto signalBefore = std::signal(SIGINT, SIG_DFL);
+
 struct Outcome {
   int status = -1;  ///< exit status; -1 if a signal ended it, or it did not start
   QByteArray out;

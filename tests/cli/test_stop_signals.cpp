@@ -72,6 +72,7 @@ class TestStopSignals : public QObject {
   void init() {
     m_folder = std::make_unique<QTemporaryDir>();
     QVERIFY(QDir::setCurrent(m_folder->path()));
+    std::signal(SIGINT, SIG_DFL);  // a script that starts the tests with `&` ignores it
   }
 
   void nobodyHears() {

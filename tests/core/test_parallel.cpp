@@ -1,12 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Tests work on several threads: every piece once, errors, and that it is at the same time; and its
 // progress.
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
 #include <QTest>
 #include <QThread>
 #include <atomic>
 #include <barrier>
+#include <csignal>
+#include <fstream>
 #include <mutex>
 #include <set>
+#include <thread>
 
 #include "core/base/parallel.h"
 #include "core/base/progress.h"
@@ -17,6 +24,7 @@ class TestSideBySide : public QObject {
   Q_OBJECT
 
  private Q_SLOTS:
+  void rowsWithoutThreads();
   void everyPieceOnce();
   void atTheSameTime();
   void errors();
@@ -25,6 +33,33 @@ class TestSideBySide : public QObject {
   void progressForThreads();
   void fractionsAreKept();
 };
+
+/// A process without memory for a thread's stack. It must be the first to ask for threads.
+void TestSideBySide::rowsWithoutThreads() {
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+  QSKIP("the sanitizer's own memory is beyond any limit");
+#endif
+  const pid_t child = ::fork();
+  if (child == 0) {
+    std::signal(SIGABRT, SIG_DFL);  // Qt's handler would wait for threads that are not here
+    std::thread(::pause).detach();  // takes the stack that the parent's thread has left
+    std::size_t pages = 0;
+    std::ifstream("/proc/self/statm") >> pages;
+    const rlim_t bytes = pages * std::size_t(::sysconf(_SC_PAGESIZE)) + (rlim_t{1} << 20U);
+    const rlimit limit{bytes, bytes};
+    ::setrlimit(RLIMIT_AS, &limit);
+    std::atomic<int> rows = 0;
+    try {
+      parallelRows(1000, [&](int begin, int end) { rows += end - begin; });
+    } catch (...) {
+      ::_exit(2);
+    }
+    ::_exit(rows == 1000 ? 0 : 1);
+  }
+  int status = 0;
+  ::waitpid(child, &status, 0);
+  QVERIFY2(WIFEXITED(status) && WEXITSTATUS(status) == 0, QByteArray::number(status));
+}
 
 void TestSideBySide::everyPieceOnce() {
   for (const int workers : {1, 2, 7}) {
