@@ -45,6 +45,7 @@ class TestExtremeUnits : public QObject {
   void enginesAgree_data();
   void enginesAgree();
   void aPupilReachesBehindThePanel();
+  void endsBesideThePanel();
 };
 
 void TestExtremeUnits::enginesAgree_data() {
@@ -90,6 +91,38 @@ void TestExtremeUnits::aPupilReachesBehindThePanel() {
   job.state.pupil = {0.004, 0, 16};
   Counts counts;
   QCOMPARE(firstDifference(job, counts), QString());
+}
+
+/// Lenses that are nearly upright move ends by rows onto the panel, from rows beside it that have
+/// kinds of pixels too.
+void TestExtremeUnits::endsBesideThePanel() {
+  Counts counts;
+  for (int seed = 1; seed <= 60; ++seed) {
+    Random random{std::uint64_t(seed)};
+    SheetDisplay sheet;
+    sheet.calibration.params = {random.uniform(10, 20), 1e6, 0, 20, {40, 20}, 40};
+    sheet.calibration.pattern = 4;
+    sheet.calibration.cells.clear();
+    for (int kind = 0; kind < 2; ++kind) {
+      SubPixels cells;
+      for (auto& place : cells) place = {random.uniform(-1, 1), random.uniform(-1, 1)};
+      sheet.calibration.cells.push_back(cells);
+    }
+    RenderJob job;
+    job.display.sheet = sheet;
+    job.display.size = LensSheet(sheet).size();
+    job.display.hogels = {40, 20};
+    job.display.directions = {1, 1};
+    job.state.psf = {0.5, 1};
+    job.state.camera.eye = {0, 0, 0.1};
+    job.state.camera.res = {60, 60};
+    std::vector<std::uint8_t> values(std::size_t(3 * 40 * 20));
+    for (std::uint8_t& value : values) value = std::uint8_t(random.integer(0, 255));
+    job.lightField = std::make_shared<LightField>(LightFieldSize{40, 20, 1, 1}, std::move(values));
+    const QString difference = firstDifference(job, counts);
+    QVERIFY2(difference.isEmpty(), qPrintable(QString("seed %1: ").arg(seed) + difference));
+  }
+  QVERIFY(counts.seen > 1000 && counts.unclear < counts.seen / 20);
 }
 
 QTEST_GUILESS_MAIN(TestExtremeUnits)

@@ -21,7 +21,8 @@ using PlaneFunction = std::array<double, 3>;
 /// A sheet's map from the image plane. Columns, and rows from the bottom, are `apart` larger than
 /// they are, and all lenses that are met are above 0, so that truncation is floor on the panel.
 struct SheetMap {
-  static constexpr std::uint32_t apart = 4;  // a multiple of all kinds of pixels
+  /// A multiple of all kinds of pixels, and more than an end moves along a lens.
+  static constexpr std::uint32_t apart = 12;
 
   explicit SheetMap(const HitMap& m)
       : z{m.right[2], m.down[2], m.forward[2]},

@@ -158,8 +158,10 @@ std::optional<SheetHit> LensSheet::meet(const Vec3& eye, const Vec3& direction,
   const double up = at(hits.up) + hits.upOfLens * lens;
   if (!std::isfinite(right) || !std::isfinite(up)) return std::nullopt;
   const auto [width, height] = m_calibration.params.panel;
+  // So far beside the panel no kind of pixel matters, since nothing moves an end back onto it.
+  constexpr double beside = 2 * farthestUp;
   const auto cell = [](double place, int count) {
-    return static_cast<int>(std::floor(std::clamp(place, -2.0, count + 2.0)));
+    return static_cast<int>(std::floor(std::clamp(place, -beside, count + beside)));
   };
   const double fromRight = right - cellsAt(cell(right, width), cell(up, height))[channel][0];
   const int column = cell(fromRight, width);
