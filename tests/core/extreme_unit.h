@@ -108,6 +108,10 @@ inline void addSheet(Random& random, RandomScene& scene) {
   session.display.lens = hogelscope::HogelLensModel::rectilinear;
   hogelscope::SheetDisplay& sheet = session.display.sheet.emplace();
   sheet.calibration = calibration(random);
+  // In half of the scenes as wide as the display, at which the camera looks.
+  auto& params = sheet.calibration.params;
+  if (random.flip())
+    params.dpi = std::clamp(params.panel[0] * 0.0254 / job.display.size[0], 1e-3, 1e6);
   check(sheet.calibration.params);
   if (random.integer(0, 3) > 0)
     sheet.viewingDistance = random.flip() ? random.uniform(0.1, 3) : anyOf(random, 1e-3, 1e6);
@@ -116,6 +120,7 @@ inline void addSheet(Random& random, RandomScene& scene) {
   session.lightField.layout = hogelscope::Layout::woven;
   const auto [width, height] = sheet.calibration.params.panel;
   scene.content.size = {width, height, 1, 1};
+  session.display.size = hogelscope::LensSheet(sheet).size();
   job.display = resolved(displayOf(session), scene.content.size);
   job.sampling.reconstruction = hogelscope::Reconstruction::nearest;
   job.state.psf = {};

@@ -45,6 +45,7 @@ class TestExtremeUnits : public QObject {
   void enginesAgree_data();
   void enginesAgree();
   void aPupilReachesBehindThePanel();
+  void endsBesideThePanel_data();
   void endsBesideThePanel();
 };
 
@@ -93,19 +94,29 @@ void TestExtremeUnits::aPupilReachesBehindThePanel() {
   QCOMPARE(firstDifference(job, counts), QString());
 }
 
+void TestExtremeUnits::endsBesideThePanel_data() {
+  QTest::addColumn<double>("pitch");
+  QTest::addColumn<double>("slope");
+  QTest::newRow("rows") << 15.0 << 1e6;
+  QTest::newRow("lenses") << 2000.0 << 1e6;
+}
+
 /// Lenses that are nearly upright move ends by rows onto the panel, from rows beside it that have
-/// kinds of pixels too.
+/// kinds of pixels too; and a sub-pixel's place is aside by many lenses that are small.
 void TestExtremeUnits::endsBesideThePanel() {
+  QFETCH(const double, pitch);
+  QFETCH(const double, slope);
   Counts counts;
   for (int seed = 1; seed <= 60; ++seed) {
     Random random{std::uint64_t(seed)};
     SheetDisplay sheet;
-    sheet.calibration.params = {random.uniform(10, 20), 1e6, 0, 20, {40, 20}, 40};
+    sheet.calibration.params = {pitch * random.uniform(0.7, 1.3), slope, 0, 20, {40, 20}, 40};
     sheet.calibration.pattern = 4;
     sheet.calibration.cells.clear();
     for (int kind = 0; kind < 2; ++kind) {
       SubPixels cells;
-      for (auto& place : cells) place = {random.uniform(-1, 1), random.uniform(-1, 1)};
+      const double aside = random.uniform(-0.9, 0.9);
+      for (auto& place : cells) place = {aside + random.uniform(-0.1, 0.1), random.uniform(-1, 1)};
       sheet.calibration.cells.push_back(cells);
     }
     RenderJob job;
