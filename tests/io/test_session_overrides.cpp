@@ -17,6 +17,7 @@ class TestSessionOverrides : public QObject {
   void overrides();
   void badOverrides_data();
   void badOverrides();
+  void notUtf8();
 
  private:
   std::unique_ptr<QTemporaryDir> m_folder;
@@ -121,6 +122,18 @@ void TestSessionOverrides::badOverrides() {
   QFETCH(QString, line);
   writeFile("s.json", text());
   QCOMPARE(errorOf([&] { (void)loadSession("s.json", {given.toStdString()}); }), line);
+}
+
+/// The command line may have any bytes.
+void TestSessionOverrides::notUtf8() {
+  writeFile("s.json", text());
+  const auto error = [](const std::string& given) {
+    return errorOf([&] { (void)loadSession("s.json", {given}); });
+  };
+  QCOMPARE(error("display.kind=q\xff"),
+           QString("s.json: display.kind: \"q\uFFFD\" is not one of \"hogels\", \"sheet\""));
+  const QString dead = error("twin.dead.rows=\xff");
+  QVERIFY2(dead.startsWith("s.json: twin.dead.rows"), qPrintable(dead));
 }
 
 QTEST_APPLESS_MAIN(TestSessionOverrides)

@@ -17,7 +17,7 @@ constexpr int mostDead = 1 << 24;
 
 int readIndex(const Json& value, const std::string& path) {
   if (!value.is_number_integer() || value < 0 || value >= mostDead)
-    throw InputError(path, value.dump() + " is not a number from 0 on");
+    throw InputError(path, valueText(value) + " is not a number from 0 on");
   return value.get<int>();
 }
 
@@ -43,7 +43,7 @@ DeadParts readDead(const Json& object, const std::string& path) {
     const std::string own = reader.pathOf("hogels");
     for (const Json& pair : list(*hogels, own, "of hogels: [[3, 17]]")) {
       if (!pair.is_array() || pair.size() != 2)
-        throw InputError(own, pair.dump() + " is not a hogel: [column, row]");
+        throw InputError(own, valueText(pair) + " is not a hogel: [column, row]");
       dead.hogels.push_back({readIndex(pair[0], own), readIndex(pair[1], own)});
     }
   }

@@ -11,10 +11,7 @@
 
 namespace hogelscope {
 
-namespace {
-
-/// Formats a value for an error line: short, and on one line.
-std::string shown(const Json& value) {
+std::string valueText(const Json& value) {
   std::string text = value.dump(-1, ' ', false, Json::error_handler_t::replace);
   constexpr std::size_t longest = 60;
   if (text.size() <= longest) return text;
@@ -22,6 +19,8 @@ std::string shown(const Json& value) {
   while ((static_cast<unsigned char>(text[end]) & 0xc0U) == 0x80) --end;
   return text.substr(0, end) + "…";
 }
+
+namespace {
 
 std::string rangeText(const Field& field) {
   std::string text = numberText(field.range.min) + " to " + numberText(field.range.max);
@@ -41,19 +40,20 @@ std::string suggestion(std::string_view name, std::span<const std::string_view> 
 }
 
 void checkNumber(const Json& value, const Field& field, const std::string& path, double) {
-  if (!value.is_number()) throw InputError(path, shown(value) + " is not a number");
+  if (!value.is_number()) throw InputError(path, valueText(value) + " is not a number");
   const auto number = value.get<double>();
   if (!(number >= field.range.min && number <= field.range.max))
-    throw InputError(path, shown(value) + " is out of range: " + rangeText(field));
+    throw InputError(path, valueText(value) + " is out of range: " + rangeText(field));
 }
 
 void checkNumber(const Json& value, const Field& field, const std::string& path, int) {
   checkNumber(value, field, path, 0.0);
   const auto number = value.get<double>();
-  if (number != std::floor(number)) throw InputError(path, shown(value) + " is not a whole number");
+  if (number != std::floor(number))
+    throw InputError(path, valueText(value) + " is not a whole number");
   if (std::fmod(number - field.range.min, field.range.step) != 0)
-    throw InputError(path, shown(value) + " is not one of " + numberText(field.range.min) + ", " +
-                               numberText(field.range.min + field.range.step) + ", … " +
+    throw InputError(path, valueText(value) + " is not one of " + numberText(field.range.min) +
+                               ", " + numberText(field.range.min + field.range.step) + ", … " +
                                numberText(field.range.max));
 }
 
@@ -164,7 +164,7 @@ void format(const Json& value, const std::string& indent, std::string& out) {
 JsonReader::JsonReader(const Json& object, std::string path)
     : m_object(object), m_path(std::move(path)) {
   if (!object.is_object())
-    throw InputError(m_path, shown(object) + " is not an object: { \"name\": value, … }");
+    throw InputError(m_path, valueText(object) + " is not an object: { \"name\": value, … }");
 }
 
 std::string JsonReader::pathOf(std::string_view name) const {
@@ -196,8 +196,8 @@ void JsonReader::list(const Field& field, std::span<Number> values, bool isList)
     return;
   }
   if (!value->is_array() || value->size() != values.size())
-    throw InputError(
-        path, shown(*value) + " is not a list of " + std::to_string(values.size()) + " numbers");
+    throw InputError(path, valueText(*value) + " is not a list of " +
+                               std::to_string(values.size()) + " numbers");
   for (std::size_t k = 0; k < values.size(); ++k) {
     checkNumber((*value)[k], field, path + "[" + std::to_string(k) + "]", Number{});
     values[k] = (*value)[k].get<Number>();
@@ -216,17 +216,18 @@ void JsonReader::flag(const Field& field, bool& value) {
   const Json* found = section(field.name);
   if (found == nullptr) return;
   if (!found->is_boolean())
-    throw InputError(pathOf(field.name), shown(*found) + " is neither true nor false");
+    throw InputError(pathOf(field.name), valueText(*found) + " is neither true nor false");
   value = found->get<bool>();
 }
 
 void JsonReader::text(const Field& field, std::string& value) {
   const Json* found = section(field.name);
   if (found == nullptr) return;
-  if (!found->is_string()) throw InputError(pathOf(field.name), shown(*found) + " is not a text");
+  if (!found->is_string())
+    throw InputError(pathOf(field.name), valueText(*found) + " is not a text");
   value = found->get<std::string>();
   if (std::any_of(value.begin(), value.end(), [](unsigned char c) { return c < 32 || c == 127; }))
-    throw InputError(pathOf(field.name), shown(*found) + " has a control character");
+    throw InputError(pathOf(field.name), valueText(*found) + " has a control character");
 }
 
 void JsonReader::choice(const Field& field, int& index) {
@@ -234,11 +235,11 @@ void JsonReader::choice(const Field& field, int& index) {
   if (found == nullptr) return;
   const std::string path = pathOf(field.name);
   if (!found->is_string())
-    throw InputError(path, shown(*found) + " is not a text: one of " + joined(field.choices));
+    throw InputError(path, valueText(*found) + " is not a text: one of " + joined(field.choices));
   const auto name = found->get<std::string>();
   const auto at = std::find(field.choices.begin(), field.choices.end(), name);
   if (at == field.choices.end())
-    throw InputError(path, shown(*found) + " is not one of " + joined(field.choices));
+    throw InputError(path, valueText(*found) + " is not one of " + joined(field.choices));
   index = static_cast<int>(at - field.choices.begin());
 }
 

@@ -13,6 +13,10 @@ namespace hogelscope {
 /// A JSON value that keeps the order of the keys, as the documents do.
 using Json = nlohmann::ordered_json;
 
+/// Formats a value for an error line: short, and on one line, whatever its bytes are, since those
+/// of --set need not be UTF-8.
+std::string valueText(const Json& value);
+
 /// Reads the fields that `object` has; the others keep their values. Throws InputError.
 class JsonReader : public ParameterVisitor {
  public:

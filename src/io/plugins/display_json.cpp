@@ -53,7 +53,7 @@ std::vector<SubPixels> cellsOf(const Json& cells, const std::string& path) {
 
 int patternOf(const Json& value, const std::string& path) {
   if (!value.is_number_integer() || value < 0 || value > 4)
-    throw InputError(path, value.dump() + " is not one of 0, 1, 2, 3, 4");
+    throw InputError(path, valueText(value) + " is not one of 0, 1, 2, 3, 4");
   return value.get<int>();
 }
 
@@ -112,7 +112,7 @@ DisplayParams readDisplay(const Json& object) {
   const auto given = object.is_object() ? object.find("kind") : object.end();
   const Json kind = given == object.end() ? Json("hogels") : *given;
   if (kind != "hogels" && kind != "sheet")
-    throw InputError("display.kind", kind.dump() + " is not one of \"hogels\", \"sheet\"");
+    throw InputError("display.kind", valueText(kind) + " is not one of \"hogels\", \"sheet\"");
   if (kind == "sheet") {
     params.sheet = sheetOf(object);
     params.size = LensSheet(*params.sheet).size();
