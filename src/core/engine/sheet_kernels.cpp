@@ -19,7 +19,8 @@ namespace {
 using PlaneFunction = std::array<double, 3>;
 
 /// A sheet's map from the image plane. Columns, and rows from the bottom, are `apart` larger than
-/// they are, and all lenses that are met are above 0, so that truncation is floor on the panel.
+/// they are, so that truncation is floor on the panel. Any lens may be met, since rays come from
+/// far beside the panel if the gap is wide.
 struct SheetMap {
   /// A multiple of all kinds of pixels, and more than an end moves along a lens.
   static constexpr std::uint32_t apart = 12;
@@ -69,7 +70,7 @@ inline __attribute__((always_inline)) void endStrip(const SheetMap& m, const dou
     };
     const double perZ = 1 / at(m.z);
     const double met = at(m.lens) * perZ;
-    const bool isOn = static_cast<bool>((perZ < 0) & (met >= 0) & (met < mostLenses));
+    const bool isOn = static_cast<bool>((perZ < 0) & (std::abs(met) < mostLenses));
     lens[k] = isOn ? met : 0;
     end.right[k] = at(m.right) * perZ;
     end.up[k] = at(m.up) * perZ;
@@ -81,7 +82,7 @@ inline __attribute__((always_inline)) void endStrip(const SheetMap& m, const dou
     return std::min(std::max(-farthest, place), farthest);
   };
   for (std::size_t k = 0; k < stripSize; ++k) {
-    constexpr double rounding = 0x1p52;  // floor without an integer, which may be too small
+    constexpr double rounding = 0x1.8p52;  // floor without an integer, which may be too small
     const double nearest = lens[k] + rounding - rounding;
     const double whole = nearest > lens[k] ? nearest - 1 : nearest;
     end.right[k] = limited(end.right[k] + m.rightOfLens * whole);

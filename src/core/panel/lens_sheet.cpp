@@ -127,9 +127,7 @@ SheetHits LensSheet::hitsFrom(const Vec3& eye) const {
   // A ray meets the sheet at x = eye.x − eye.z a, y = eye.y − eye.z b.
   const Linear h{eye.x + eye.y * m_perSeen, -eye.z, -eye.z * m_perSeen};
   const Linear t{eye.y - eye.x * m_perSeen, (eye.z + m_seenGap) * m_perSeen, -eye.z - m_seenGap};
-  // From 16 lenses beside the panel on, or from all that sub-pixels' places can bring onto it.
-  const double beyond = std::max(
-      16.0, std::ceil(2 * farthestUp * m_pixel * (1 + std::abs(m_perSeen)) / m_lensPeriod));
+  constexpr double beyond = 16;
   const double reach = (m_size[0] + m_size[1] * std::abs(m_perSeen)) / 2 / m_lensPeriod;
   const double toFirst = m_seenPhase - (std::floor(m_seenPhase) - std::ceil(reach) - beyond);
   const Linear across{(0.5 - toFirst) * m_lensPeriod, -m_seenGap, -m_seenGap * m_perSeen};
