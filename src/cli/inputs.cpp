@@ -128,15 +128,17 @@ std::vector<std::filesystem::path> namedInputs(const CommandLine& line) {
   return files;
 }
 
-void checkResults(const CommandLine& line, std::vector<std::filesystem::path> files) {
-  const bool keepsSession = line.mayHave("save-session") && line.has("save-session");
-  const std::string session = keepsSession ? line.text("save-session") : "";
-  if (keepsSession && !isSessionFile(session))
-    throw InputError("--save-session " + session,
+void checkResults(const CommandLine& line, const Session& session,
+                  std::vector<std::filesystem::path> files) {
+  if (!line.mayHave("save-session") || !line.has("save-session")) return checkOutputs(files);
+  const std::string kept = line.text("save-session");
+  if (!isSessionFile(kept))
+    throw InputError("--save-session " + kept,
                      "cannot be written: a session's name ends in .hogelscope or .json");
-  if (keepsSession) files.emplace_back(session);
+  files.emplace_back(kept);
   checkOutputs(files);
-  if (keepsSession) makeFolderOf(session);
+  (void)textFor(kept, session);
+  makeFolderOf(kept);
 }
 
 void keepSession(const CommandLine& line, const Session& session) {

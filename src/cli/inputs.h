@@ -31,9 +31,10 @@ Session withTwin(const Session& session, const std::string& file, const CommandL
 std::vector<std::filesystem::path> namedInputs(const CommandLine& line);
 
 /// Throws InputError if a file that the job will write, or that of --save-session, is one that it
-/// reads, or if two of them are one file. Call it after the inputs are marked (FilesInUse), before
-/// any work.
-void checkResults(const CommandLine& line, std::vector<std::filesystem::path> files);
+/// reads, if two of them are one file, or if the session cannot be saved. Call it after the inputs
+/// are marked (FilesInUse), before any work.
+void checkResults(const CommandLine& line, const Session& session,
+                  std::vector<std::filesystem::path> files);
 
 /// Writes the session to --save-session if that is given: the last thing that a job writes, so that
 /// one that is refused leaves none. Throws InputError.

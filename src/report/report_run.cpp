@@ -358,6 +358,16 @@ std::vector<fs::path> inputsOf(const ReportRequest& request) {
 
 namespace {
 
+/// Throws if a table could not have the name of a test: they are UTF-8.
+void checkNames(const ReportRequest& request) {
+  for (const ReportTest& test : request.tests)
+    for (std::size_t at = 0; at < test.name.size();) {
+      const Character next = characterAt(test.name, at);
+      if (!next.point) throw InputError(printable(test.name), "its name is not UTF-8", "rename it");
+      at += next.bytes;
+    }
+}
+
 /// Removes tolerances, so that differences come from the light fields, not from methods.
 ReportRequest withoutTolerance(ReportRequest request) {
   request.session.sampling.tolerance = 0;
@@ -371,6 +381,7 @@ ReportRequest withoutTolerance(ReportRequest request) {
 Report makeReport(const ReportRequest& request, const ReportListener& listener) {
   ReportRequest exact = withoutTolerance(request);
   if (!exact.file) exact.file = openLightField(exact.session.lightField, exact.session.display);
+  checkNames(exact);
   const FilesInUse inUse(inputsOf(exact));
   {
     const FilesInUse document({exact.sessionFile});  // which may be saved while the report is made

@@ -56,26 +56,26 @@ void TestOutputFolder::init() {
 
 void TestOutputFolder::isFoundFirst_data() {
   QTest::addColumn<QStringList>("arguments");
-  QTest::addColumn<bool>("isFile");  ///< what is written is a file in the folder
+  QTest::addColumn<QString>("file");  ///< that is written in the folder; "": several
   const QStringList session{"--session", "s.json"};
-  QTest::newRow("render") << QStringList{"--render"} + session << false;
-  QTest::newRow("report") << QStringList{"--report", "--test", "a.png"} + session << false;
-  QTest::newRow("tradeoff") << QStringList{"--tradeoff"} + session << false;
-  QTest::newRow("stability") << QStringList{"--stability"} << false;
-  QTest::newRow("make-cameras") << QStringList{"--make-cameras", "random"} + session << true;
-  QTest::newRow("generate") << QStringList{"--generate", "edge"} + session << true;
-  QTest::newRow("pack") << QStringList{"--pack", "a.png"} + session << true;
+  QTest::newRow("render") << QStringList{"--render"} + session << "";
+  QTest::newRow("report") << QStringList{"--report", "--test", "a.png"} + session << "";
+  QTest::newRow("tradeoff") << QStringList{"--tradeoff"} + session << "";
+  QTest::newRow("stability") << QStringList{"--stability"} << "";
+  QTest::newRow("make-cameras") << QStringList{"--make-cameras", "random"} + session << "/o.json";
+  QTest::newRow("generate") << QStringList{"--generate", "edge"} + session << "/o.png";
+  QTest::newRow("pack") << QStringList{"--pack", "a.png"} + session << "/o.tif";
 }
 
 void TestOutputFolder::isFoundFirst() {
   QFETCH(QStringList, arguments);
-  QFETCH(bool, isFile);
+  QFETCH(QString, file);
   const auto outcome = [&](const QString& output) {
     return runWithoutPrivileges(arguments + QStringList{"--output", output}, m_folder->path());
   };
   QVERIFY(QFile::setPermissions("locked", QFile::ReadOwner | QFile::ExeOwner));
-  const Outcome there = outcome(isFile ? "locked/o.json" : "locked");
-  const Outcome below = outcome(isFile ? "locked/new/o.json" : "locked/new");
+  const Outcome there = outcome("locked" + file);
+  const Outcome below = outcome("locked/new" + file);
   QVERIFY(QFile::setPermissions("locked", QFile::ReadOwner | QFile::WriteOwner | QFile::ExeOwner));
   if (there.status == cannotDrop) QSKIP("root may write everywhere here");
   QCOMPARE(there.err, QByteArray("hogelscope: locked: cannot be written: Permission denied\n"));

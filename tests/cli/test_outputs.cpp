@@ -50,6 +50,9 @@ class TestOutputs : public QObject {
   void pathsThatThrow();
   void unreadableFolder();
   void everyLineIsHeard();
+  void namesThatAreNotUtf8_data();
+  void namesThatAreNotUtf8();
+  void namesInTablesAreUtf8();
 
  private:
   Outcome job(const QStringList& arguments) { return run(arguments, m_folder->path()); }
@@ -258,6 +261,61 @@ void TestOutputs::everyLineIsHeard() {
     QCOMPARE(outcome.status, 1);
     QVERIFY2(outcome.err.contains(" dB over what is seen is below 90\n"), outcome.err);
   }
+}
+
+void TestOutputs::namesThatAreNotUtf8_data() {
+  QTest::addColumn<QByteArray>("command");
+  const auto row = [](const char* name, const QByteArray& command) {
+    QTest::newRow(name) << command;
+  };
+  row("a twin", "--make-twin --session s.json --twin u.json --output \377\377.json");
+  row("a unit", "--report --against design --session s.json --twin \377.json --output out");
+  row("a test", "--report --session s.json --test \377.png --output out");
+  row("a session", "--render --session \377/s.json --output out --save-session k.json");
+  row("a fit", "--depth --session \377/s.json --output out --fit k.json");
+}
+
+/// What would stand in a document or a table is refused before anything is written. A shell runs
+/// the program, since Qt's names are UTF-8.
+void TestOutputs::namesThatAreNotUtf8() {
+  QFETCH(QByteArray, command);
+  QVERIFY(::mkdir("\377", 0777) == 0);
+  writeFile("u.json", R"({"random": {"seed": 1, "shift": {"sigma": 0.0001}}})");
+  const auto copy = [](const char* from, const QByteArray& to) {
+    QVERIFY(::link(from, to.constData()) == 0);
+  };
+  copy("u.json", "\377.json");
+  copy("a.png", "\377.png");
+  copy("a.png", "\377/a.png");
+  copy("s.json", "\377/s.json");
+  const QStringList before = namesIn(".");
+  writeFile("run.sh", QByteArray(HOGELSCOPE_PROGRAM) + " " + command + "\n");
+  QProcess shell;
+  shell.setProcessEnvironment(withoutDisplay());
+  shell.start("sh", {"run.sh"});
+  const Outcome outcome = ended(shell);
+  QFile::remove("run.sh");
+  QCOMPARE(outcome.status, 2);
+  QVERIFY2(outcome.err.contains("not UTF-8") && outcome.err.count('\n') == 1, outcome.err);
+  QStringList after = namesIn(".");
+  after.removeAll("out");  // an empty folder may be there
+  QCOMPARE(after, before);
+  QVERIFY(!QFileInfo::exists("out") || namesIn("out").isEmpty());
+}
+
+void TestOutputs::namesInTablesAreUtf8() {
+  writeFile("run.sh", QByteArray("mv c.yml '\377.yml'\n") + HOGELSCOPE_PROGRAM +
+                          " --stability --calibrations '\377.yml' --output out --quiet\n");
+  writeFile("c.yml", R"(%YAML:1.0
+camera_matrix: !!opencv-matrix {rows: 3, cols: 3, dt: d, data: [10, 0, 5, 0, 10, 5, 0, 0, 1]}
+distortion_coefficients: !!opencv-matrix {rows: 5, cols: 1, dt: d, data: [0, 0, 0, 0, 0]}
+)");
+  QProcess shell;
+  shell.setProcessEnvironment(withoutDisplay());
+  shell.start("sh", {"run.sh"});
+  const Outcome outcome = ended(shell);
+  QVERIFY2(outcome.status == 0, outcome.err);
+  QVERIFY(contentOf("out/stability.csv").contains("\\xff"));
 }
 
 QTEST_GUILESS_MAIN(TestOutputs)

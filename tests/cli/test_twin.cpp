@@ -108,9 +108,11 @@ void TestTwin::againstTheDesign() {
   QVERIFY(valueOf("out/metrics.csv", 2, "move_rest") > 0.9 * turned);
   QCOMPARE(rows[3][rows[0].indexOf("move_rms")], QString("0"));
   QCOMPARE(tableOf("out/report.csv")[3][3], QString("inf"));
-  QVERIFY2(outcome.out.contains("offset.json: its rays move by"), outcome.out);
-  QVERIFY(contentOf("out/report.html").contains("offset.json: its rays move by"));
-  QVERIFY(!contentOf("out/report.html").contains("turned.json: its rays move by"));
+  QVERIFY2(outcome.out.contains("offset.json: all its rays are shifted equally by"), outcome.out);
+  QVERIFY(
+      contentOf("out/report.html").contains("offset.json: all its rays are shifted equally by"));
+  QVERIFY(
+      !contentOf("out/report.html").contains("turned.json: all its rays are shifted equally by"));
   QVERIFY(
       contentOf("out/report.html").contains("<h1>Units as built against the design of s.json<"));
   for (const char* name : {"units_mean_psnr_seen", "units_mean_move_rest"}) {

@@ -17,8 +17,9 @@ using namespace hogelscope;
 
 namespace {
 
-constexpr int width = 72;
-constexpr int height = 56;
+constexpr int width =
+    64;  // OpenImageIO 2.4 writes beyond a video's frame of other widths than n·32
+constexpr int height = 48;
 
 /// Smooth noise that is not alike at two places.
 double texture(double x, double y, double seed) {

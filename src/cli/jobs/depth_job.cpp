@@ -85,9 +85,10 @@ int runDepth(const CommandLine& line) {
       throw InputError("--fit " + fit,
                        "cannot be written: a session's name ends in .hogelscope or .json");
     outputs.emplace_back(fit);
+    (void)textFor(fit, session);  // the fitted one differs in numbers alone
   }
   const FilesInUse inUse(filesOf(session, *file));
-  checkResults(line, outputs);
+  checkResults(line, session, outputs);
   makeFolder(folder);
   ProgressBar bar("measuring depths", line.has("quiet"));
   const DepthBudget budget = measureDepths(session, *file, {}, bar.progress());

@@ -42,7 +42,7 @@ int exportRig(const Session& session, const CommandLine& line) {
     throw InputError("--output " + output.string(),
                      "is the name of the glTF file beside the rig: end it in .json");
   const FilesInUse inUse(filesOf(session));
-  checkResults(line, {output, gltf});
+  checkResults(line, session, {output, gltf});
   const PanelParams display = panelOf(session);  // its errors name the light field's file
   const std::vector<RigCamera> rig = inFile(line.text("session"), [&] { return rigOf(display); });
   makeFolderOf(output);
@@ -110,7 +110,7 @@ int runExport(const CommandLine& line) {
   const fs::path output = line.text("output");
   const auto file = contentToExport(session, line);
   const FilesInUse inUse(filesOf(session, *file));
-  checkResults(line, {output});
+  checkResults(line, session, {output});
   std::array<int, 2> tiles{};
   if (isQuilt) tiles = quiltTilesFor(*file, output);
   makeFolderOf(output);

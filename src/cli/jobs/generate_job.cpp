@@ -140,7 +140,7 @@ int runGenerate(const CommandLine& line) {
     throw InputError("--seed", "is of the noise; it needs --degrade noise:SIGMA");
   if (seed) degradation.seed = std::uint64_t(*seed);
   const std::string output = line.text("output");
-  checkResults(line, {output});
+  checkOutputs({output});
   makeFolderOf(output);
   const LightFieldSize size{display.hogels[0], display.hogels[1], display.directions[0],
                             display.directions[1]};

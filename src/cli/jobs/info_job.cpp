@@ -322,7 +322,7 @@ void writeContactSheet(const CommandLine& line, const OrderedSession& subject,
                      "and display.directions are needed for a contact sheet");
   const auto lightField = openLightField(subject.session.lightField, subject.session.display);
   const FilesInUse inUse(filesOf(subject.session, *lightField));
-  checkResults(line, {file});
+  checkResults(line, subject.session, {file});
   makeFolderOf(file);
   ProgressBar bar("drawing the views", false);
   const auto& [sheet, isStretched] =

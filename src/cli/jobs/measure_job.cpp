@@ -52,7 +52,7 @@ int runMeasure(const CommandLine& line) {
   request.shard = shardOf(line);
   const std::filesystem::path folder = request.output;
   const FilesInUse inUse(filesOf(request.session));
-  checkResults(line, {folder / "measure.csv", folder / "measure.html"});
+  checkResults(line, request.session, {folder / "measure.csv", folder / "measure.html"});
   const auto warn = [&](const char* text) {
     if (!isQuiet) printNote(request.name + ": warning: " + text);
   };

@@ -62,7 +62,7 @@ int packContent(const Session& session, bool isDisplayGiven, const CommandLine& 
   const bool isQuiet = line.has("quiet");
   const auto file = openLightField(session.lightField, session.display);
   const FilesInUse inUse(filesOf(session, *file));
-  checkResults(line, {output});
+  checkResults(line, session, {output});
   requireStoreName(output);
   const std::size_t memory = allowedMemory() / (file->isStream() ? 1 : 2);  // half for the reader
   const PackPlan plan =

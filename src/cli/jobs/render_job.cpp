@@ -314,7 +314,7 @@ int runRender(const CommandLine& line) {
   for (const auto& [name, text] : pictures.tables) files.push_back(output.folder / name);
   if (line.has("video")) files.emplace_back(line.text("video"));
   const FilesInUse inUse(filesOf(session, *file));
-  checkResults(line, files);
+  checkResults(line, session, files);
   warnOfCuts(*file, session, line);
   warnOfPupils(display, session, line);
   warnOfTwin(display, session, line);

@@ -218,7 +218,7 @@ int runReport(const CommandLine& line) {
   request.images = line.has("images");
   request.shard = shardOf(line);
   const FilesInUse inUse(inputsOf(request));
-  checkResults(line, filesOf(request));
+  checkResults(line, session, filesOf(request));
   orderTests(request, {});
   if (!request.shard) warnOfCuts(*request.file, request.session, line);
   if (!request.shard)

@@ -26,7 +26,7 @@ int runSweep(const CommandLine& line) {
   request.shard = shardOf(line);
   const std::filesystem::path folder = request.output;
   const FilesInUse inUse(inputsOf(request, {}));
-  checkResults(line, {folder / "sweep.csv", folder / "sweep.html"});
+  checkResults(line, request.session, {folder / "sweep.csv", folder / "sweep.html"});
   ProgressBar bar("measuring designs", isQuiet);
   const Sweep result = inFile(line.subject, [&] { return sweep(request, bar.progress()); });
   keepSession(line, request.session);

@@ -43,7 +43,8 @@ int runTradeoff(const CommandLine& line) {
   const auto file = openLightField(session.lightField, session.display);
   const std::filesystem::path folder = line.text("output");
   const FilesInUse inUse(filesOf(session, *file));
-  checkResults(line, {folder / "tradeoff.csv", folder / "tradeoff.png", folder / "tradeoff.svg"});
+  checkResults(line, session,
+               {folder / "tradeoff.csv", folder / "tradeoff.png", folder / "tradeoff.svg"});
   makeFolder(folder);
   ProgressBar bar("measuring", line.has("quiet"));
   const ViewSource source = loadViewSource(session, part(bar.progress(), 0, 0.05));

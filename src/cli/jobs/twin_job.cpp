@@ -29,16 +29,17 @@ int runMakeTwin(const CommandLine& line) {
     throw InputError(name, "twin.random", "draws nothing: give shift or gain a sigma");
   const auto file = openLightField(session.lightField, session.display);
   const FilesInUse inUse(filesOf(session, *file));
-  checkResults(line, {output, maps});
+  checkResults(line, session, {output, maps});
   const PanelParams display = resolved(displayOf(session), file->size());
   const auto twin = inFile(name, [&] { return twinOf(session.twin, display); });
   TwinParams drawn = session.twin;
   drawn.random = {};
   drawn.maps.hogels = maps.string();
+  const std::string document = textFor(output, drawn);  // refuses names before anything is written
   makeFolderOf(output);
   (void)AtomicFile(output);  // refuses what is no file before the maps are written
   writeHogelMaps(maps, twin->drawn());
-  saveTwin(output, drawn);
+  writeTextFile(output, document);
   if (!line.has("quiet"))
     std::cout << printable(output.string()) << ", " << printable(maps.string()) << ": "
               << pairText(display.hogels[0], display.hogels[1]) << " hogels\n";

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "core/base/error.h"
+#include "core/base/text.h"
 #include "io/files/atomic_file.h"
 #include "io/json/json_parameters.h"
 #include "io/json/yaml_reader.h"
@@ -170,7 +171,7 @@ std::vector<NamedCalibration> loadCalibrations(const std::filesystem::path& file
   return inFile(file.string(), [&]() -> std::vector<NamedCalibration> {
     const Json document = documentOf(file);
     if (document.contains("cameras")) return camerasOf(document);
-    NamedCalibration one{file.stem().string(), calibrationOf(document)};
+    NamedCalibration one{printable(file.stem().string()), calibrationOf(document)};
     if (!one.calibration.res) one.calibration.res = centredOn(one.calibration.intrinsics);
     return {one};
   });

@@ -266,17 +266,17 @@ std::string textOf(const Session& session) {
   document["cameras"] = Json::array();
   for (const CameraState& state : session.cameras)
     document["cameras"].push_back(writtenState(state));
-  try {
-    return formatJson(document);
-  } catch (const Json::exception&) {
-    throw InputError("document", "a name in it is not UTF-8");
-  }
+  return formatJson(document);
+}
+
+std::string textFor(const fs::path& file, const Session& session) {
+  Session moved = session;
+  changeFiles(moved, [&](const std::string& own) { return relativeTo(file, own); });
+  return inFile(file.string(), [&] { return textOf(moved); });
 }
 
 void saveSession(const fs::path& file, const Session& session) {
-  Session moved = session;
-  changeFiles(moved, [&](const std::string& own) { return relativeTo(file, own); });
-  inFile(file.string(), [&] { writeTextFile(file, textOf(moved)); });
+  writeTextFile(file, textFor(file, session));
 }
 
 std::vector<CameraState> loadStates(const fs::path& file) {

@@ -28,6 +28,10 @@ Session parseSession(const std::string& text, const std::filesystem::path& folde
 /// Returns the document, with the light field's file unchanged.
 std::string textOf(const Session& session);
 
+/// Returns the document as it would be saved in a file, other files relative to it. Throws
+/// InputError that names the file.
+std::string textFor(const std::filesystem::path& file, const Session& session);
+
 /// Writes a session, the light field's file relative to the document. Throws InputError.
 void saveSession(const std::filesystem::path& file, const Session& session);
 

@@ -132,12 +132,16 @@ TwinParams loadTwin(const fs::path& file) {
   });
 }
 
-void saveTwin(const fs::path& file, const TwinParams& twin) {
+std::string textFor(const fs::path& file, const TwinParams& twin) {
   TwinParams moved = twin;
   for (std::string* const own : moved.maps.files()) *own = relativeTo(file, *own);
-  inFile(file.string(), [&] {
-    writeTextFile(file, formatJson({{"hogelscope", 1}, {"twin", writtenTwin(moved)}}));
+  return inFile(file.string(), [&] {
+    return formatJson({{"hogelscope", 1}, {"twin", writtenTwin(moved)}});
   });
+}
+
+void saveTwin(const fs::path& file, const TwinParams& twin) {
+  writeTextFile(file, textFor(file, twin));
 }
 
 std::string embedTwin(Json& session, const fs::path& folder) {

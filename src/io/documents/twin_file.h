@@ -19,7 +19,10 @@ Json writtenTwin(const TwinParams& twin);
 /// Reads a twin's document: the twin itself, or an object with it as "twin". Its files are named as
 /// from the current folder. Throws InputError.
 TwinParams loadTwin(const std::filesystem::path& file);
-/// Writes a twin's document, and the names of its files relative to it. Throws InputError.
+/// Returns a twin's document as it would be saved in a file, the names of its files relative to it.
+/// Throws InputError that names the file.
+std::string textFor(const std::filesystem::path& file, const TwinParams& twin);
+/// Writes that document. Throws InputError.
 void saveTwin(const std::filesystem::path& file, const TwinParams& twin);
 
 /// Replaces the name of a twin's document in a session, if it has one, by that document's content,

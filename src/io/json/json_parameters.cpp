@@ -288,7 +288,11 @@ Json parseJson(const std::string& text, JsonComments comments) {
 
 std::string formatJson(const Json& value) {
   std::string text;
-  format(value, "", text);
+  try {
+    format(value, "", text);
+  } catch (const Json::exception&) {  // what a library says of it
+    throw InputError("document", "a name in it is not UTF-8");
+  }
   return text + "\n";
 }
 

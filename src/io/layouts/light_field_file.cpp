@@ -49,7 +49,9 @@ void handOutRow(const LightField& lightField, int j, int v, const LightFieldFile
 LightField blankLightField(const LightFieldSize& size, StoredType type, const fs::path& file,
                            const std::string& advice) {
   try {
-    checkFits(double(LightField::bytes(size, type)), file, advice);
+    constexpr double most = 0.9;  // of the memory that there is
+    checkFits(double(LightField::bytes(size, type)), file, advice,
+              std::size_t(most * double(machineMemory())));
     return {size, type};
   } catch (const std::length_error&) {
     throw InputError(file.string(), "size",

@@ -73,8 +73,9 @@ void handOutRow(const LightField& texels, int j, int v, const LightFieldFile::Ho
 /// Advice for a light field that is too large.
 inline constexpr const char* packIt = "allow more, or pack it into a store and use that";
 
-/// Returns a black light field, to be filled. Throws InputError that names the file if it does not
-/// fit into the allowed memory, with advice.
+/// Returns a black light field, to be filled. Throws InputError that names the file if the
+/// machine's memory is too small for it, with advice. What is allowed is not asked: a stream needs
+/// one row of hogels, however little that is.
 LightField blankLightField(const LightFieldSize& size, StoredType type,
                            const std::filesystem::path& file,
                            const std::string& advice = "allow more");
