@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/base/text.h"
 #include "core/metrics/error_map.h"
 #include "core/optics/eyes.h"
 #include "io/files/atomic_file.h"
