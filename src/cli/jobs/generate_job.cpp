@@ -116,8 +116,8 @@ void writeBands(const Pattern& pattern, const LightFieldSize& size, const Degrad
 }
 
 /// Returns the display of a document, whose light field need not exist yet, or of a new session for
-/// a folder, an image or a mesh, with its hogel and direction counts. Its light field is replaced
-/// by none of those that are made of it.
+/// a folder, an image or a mesh, with its hogel and direction counts. `inUse` marks the files of
+/// that light field, so that the job does not replace them.
 PanelParams displayToFill(const CommandLine& line, std::optional<FilesInUse>& inUse) {
   if (isSessionDocument(line.text("session")))
     return displayOf(loadSession(line.text("session"), line.texts("set")));

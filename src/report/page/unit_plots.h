@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How the units of a report differ from each other.
+// Plots that show how the units of a report differ from each other.
 #pragma once
 
 #include <vector>
