@@ -141,10 +141,14 @@ class TestOutput : public SceneTest {
   QString said(Output* output, Begin begin) {
     QSignalSpy done(output, &Output::done);
     QSignalSpy failed(output, &Output::failed);
+    // Taken at once: a picture that is rendered meanwhile has its own message.
+    QString said;
+    const auto take = [&] { said = message(); };
+    connect(output, &Output::done, &done, take);
+    connect(output, &Output::failed, &done, take);
     begin();
     (void)QTest::qWaitFor([&] { return done.size() + failed.size() > 0; }, patience);
-    QTest::qWait(20);
-    return message();
+    return said;
   }
   QString savedView(const QString& file, const QSize& size) {
     return said(views(), [&] { views()->saveView(file, size); });
