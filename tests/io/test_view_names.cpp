@@ -291,6 +291,18 @@ class TestViewNames : public QObject {
     QCOMPARE(QByteArray::fromStdString(views.pattern), QByteArray("RRR_CCC.pgm"));
   }
 
+  /// Extensions with digits: the pattern that is told finds the same files, or none is told.
+  void extensionsThatVary() {
+    for (const char* name : {"input_Cam0.p00ng", "input_Cam03.p0ng", "input_Cam001.png"})
+      writeTiny(QString("e/") + name);
+    const ViewFiles views = found("e");
+    QVERIFY(views.files.size() > 1);
+    if (views.pattern.empty()) return;
+    LightFieldParams again = viewsIn("e");
+    again.pattern = views.pattern;
+    QVERIFY(findViews(again, {0, 0}).files == views.files);
+  }
+
   void someAreExcluded() {
     for (int k = 0; k < 9; ++k) writeTiny(QString("v/input_Cam00%1.pgm").arg(k));
     writeTiny("v/input_Cam099.pgm");

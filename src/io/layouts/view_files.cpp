@@ -204,13 +204,14 @@ class SeriesSearch {
   std::optional<ViewFiles> asKnown(const NameSeries& series, const NamePattern& pattern) {
     const std::vector<NamedView> views = matches(series.files, pattern);
     const std::string extension = series.files.front().extension().string();
-    return tried(pattern.text + (fitsMore(pattern.text, views) ? extension : ""), views);
+    return tried(pattern.text + (isExactly(pattern.text, views) ? "" : extension), views);
   }
 
-  /// Whether a pattern fits more files than these views'.
-  [[nodiscard]] bool fitsMore(const std::string& pattern,
-                              const std::vector<NamedView>& views) const {
-    return matches(m_files, namePattern(pattern)).size() > views.size();
+  /// Whether a pattern fits these views' files and no others of the folder.
+  [[nodiscard]] bool isExactly(const std::string& pattern,
+                               const std::vector<NamedView>& views) const {
+    return std::ranges::equal(matches(m_files, namePattern(pattern)), views, {}, &NamedView::file,
+                              &NamedView::file);
   }
 
   std::optional<ViewFiles> bestOf(const NameSeries& series,
@@ -228,7 +229,7 @@ class SeriesSearch {
       m_source.pattern = pattern;
       ViewFiles grid = gridOf(views, m_source);
       checkArePictures(grid.found(), m_yuv);
-      if (!pattern.empty() && fitsMore(pattern, views)) grid.pattern.clear();
+      if (!pattern.empty() && !isExactly(pattern, views)) grid.pattern.clear();
       return grid;
     } catch (const InputError& error) {
       if (!m_error) m_error = error;
