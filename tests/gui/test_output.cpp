@@ -139,15 +139,14 @@ class TestOutput : public SceneTest {
   /// What the window says when a file is written or not.
   template <class Output, class Begin>
   QString said(Output* output, Begin begin) {
-    QSignalSpy done(output, &Output::done);
-    QSignalSpy failed(output, &Output::failed);
     // Taken at once: a picture that is rendered meanwhile has its own message.
     QString said;
+    const QObject context;
     const auto take = [&] { said = message(); };
-    connect(output, &Output::done, &done, take);
-    connect(output, &Output::failed, &done, take);
+    connect(output, &Output::done, &context, take);
+    connect(output, &Output::failed, &context, take);
     begin();
-    (void)QTest::qWaitFor([&] { return done.size() + failed.size() > 0; }, patience);
+    (void)QTest::qWaitFor([&] { return !said.isEmpty(); }, patience);
     return said;
   }
   QString savedView(const QString& file, const QSize& size) {
