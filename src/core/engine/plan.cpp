@@ -69,12 +69,13 @@ Plan plan(const RenderJob& job, const Display& display) {
       LensTable::bytes(job.state.camera.res, sampling.samplesPerPixel) <= LensTables::largestBytes;
   plan.hasLinearHogels = display.lens(0).isLinear() && display.lens(1).isLinear();
   plan.isBehind = isBehind(plan.aperture, job.state, display);
-  plan.movesRays = display.twin() != nullptr || display.sheet() != nullptr;
-  plan.isSimpleTwin =
-      display.twin() != nullptr && display.twin()->hasKernel() && !job.method.isSingle && isPinhole;
-  plan.splitsColours = display.splitsColours();
-  plan.changesLight = job.twin && job.twin->changesLight();
-  plan.drivesTexels = job.twin && (job.twin->drivesTexels() || job.twin->hasDead());
+  const DisplayTraits& traits = display.traits();
+  plan.movesRays = traits.movesRays;
+  plan.isSimpleTwin = traits.movesRays && job.twin && traits.hasDirections &&
+                      job.twin->hasKernel() && !job.method.isSingle && isPinhole;
+  plan.splitsColours = traits.splitsColours;
+  plan.changesLight = traits.changesLight;
+  plan.drivesTexels = traits.drivesTexels;
   plan.knowsOutline = !plan.hasLens && !plan.movesRays && isPinhole &&
                       sampling.samplesPerPixel == 1 && plan.hasLinearHogels && !plan.isBehind;
   plan.psfReach = psf.windowSize > 1 ? neededReach(psf, job.method.droppedTaps) : 0;
@@ -88,9 +89,8 @@ Plan plan(const RenderJob& job, const Display& display) {
                       job.lightField->type() == StoredType::uint8 && job.lightField->isInMemory();
   plan.usesStrips = plan.copiesTexels && plan.isTableKept && plan.hasLinearHogels &&
                     !plan.movesRays && !plan.isBehind && !job.method.isSingle;
-  if (display.sheet() != nullptr)
-    plan.spotReach = static_cast<int>(display.sheet()->spot().size() / 2);
-  plan.copiesPixels = display.sheet() != nullptr && display.sheet()->spot().empty() && isPinhole &&
+  plan.spotReach = static_cast<int>(traits.spot.size() / 2);
+  plan.copiesPixels = !traits.hasDirections && traits.spot.empty() && isPinhole &&
                       sampling.samplesPerPixel == 1 &&
                       job.lightField->type() == StoredType::uint8 && job.lightField->isInMemory();
   return plan;

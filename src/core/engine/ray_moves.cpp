@@ -48,7 +48,7 @@ RayMoves movesOf(const RenderJob& job, LensTables& tables, const ParallelRows& p
   design.twin = nullptr;
   const ViewRays from(design, tables, parallelRows, progress);
   const ViewRays to(middleRays(job), tables, parallelRows, progress);
-  const std::size_t axis = job.display.sheet ? 0 : 2;
+  const std::size_t axis = hasDirections(job.display) ? 2 : 0;
   const auto [width, height] = job.state.camera.res;
   std::vector<MoveSums> rows(static_cast<std::size_t>(height));
   parallelRows(height, [&, width = width](int begin, int end) {

@@ -110,7 +110,7 @@ void check(const CameraState& state, const std::string& path) {
                          ": give a sigma above 0, or windowSize 1 for no leakage");
 }
 
-void checkOnSheet(const SamplingParams& sampling, const TwinParams& twin) {
+void checkWithoutDirections(const SamplingParams& sampling, const TwinParams& twin) {
   if (sampling.reconstruction != Reconstruction::nearest)
     throw InputError("sampling.reconstruction",
                      "must be \"nearest\" for a lens sheet, whose pixels are not interpolated");
@@ -120,7 +120,7 @@ void checkOnSheet(const SamplingParams& sampling, const TwinParams& twin) {
                      "and gapError of lensArray alone");
 }
 
-void checkOnSheet(const PsfParams& psf, const std::string& path) {
+void checkWithoutDirections(const PsfParams& psf, const std::string& path) {
   if (psf.windowSize > 1)
     throw InputError(path + "psf.windowSize",
                      "must be 1 for a lens sheet, whose pixels have no directions to leak into");
@@ -128,10 +128,10 @@ void checkOnSheet(const PsfParams& psf, const std::string& path) {
 
 void checkLightField(const Session& session) {
   checkSheetContent(session.lightField, session.display);
-  if (session.display.sheet) {
-    checkOnSheet(session.sampling, session.twin);
+  if (!hasDirections(session.display)) {
+    checkWithoutDirections(session.sampling, session.twin);
     for (std::size_t index = 0; index < session.cameras.size(); ++index)
-      checkOnSheet(session.cameras[index].psf, statePath(index) + ".");
+      checkWithoutDirections(session.cameras[index].psf, statePath(index) + ".");
   }
   const bool isLive = session.lightField.isLive();
   if (isLive && session.lightField.source.empty())
@@ -205,7 +205,7 @@ std::vector<std::string> warnings(const Session& session) {
 }
 
 void requireHogels(const DisplayParams& display, const char* what) {
-  if (display.sheet)
+  if (!hasDirections(display))
     throw InputError("display.kind", std::string("is \"sheet\", which ") + what + " does not know");
 }
 

@@ -28,6 +28,18 @@ struct CameraState {
   bool operator==(const CameraState&) const = default;
 };
 
+/// Visits the parts of a state in the order of documents (SectionVisitor, io/json/sections.h).
+template <class Visitor>
+void describeParts(Visitor& v, CameraState& state) {
+  v.fields(state.camera);
+  v.section("intrinsics", state.intrinsics, state.intrinsics.isGiven());
+  if (state.intrinsics.isGiven()) v.leaveOut("fov");
+  v.optional("pupil", state.pupil);
+  v.optional("stereo", state.stereo);
+  v.section("distortion", state.distortion);
+  v.section("psf", state.psf);
+}
+
 struct Session {
   DisplayParams display;
   TwinParams twin;       ///< the unit that is seen
@@ -46,10 +58,10 @@ void check(const Session& session);
 /// Checks those of them that are about the display and its light field.
 void checkLightField(const Session& session);
 
-/// Throws InputError for sampling or a unit that a lens sheet cannot have; and for leakage, with
-/// `path` in front.
-void checkOnSheet(const SamplingParams& sampling, const TwinParams& twin);
-void checkOnSheet(const PsfParams& psf, const std::string& path);
+/// Throws InputError for sampling or a unit that a display whose hogels have one direction, a lens
+/// sheet, cannot have; and for leakage, with `path` in front.
+void checkWithoutDirections(const SamplingParams& sampling, const TwinParams& twin);
+void checkWithoutDirections(const PsfParams& psf, const std::string& path);
 
 /// Checks the rules of one state; paths begin with `path`, such as "cameras[2]".
 void check(const CameraState& state, const std::string& path);

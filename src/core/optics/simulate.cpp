@@ -69,23 +69,21 @@ std::optional<Vec2> idealPoint(const Distortion& distortion, LensMapping mapping
 }
 
 void checkContent(const RenderJob& job) {
+  checkContent(job, Display(job.display, job.twin));
+}
+
+void checkContent(const RenderJob& job, const Display& display) {
   if (!job.lightField) throw InputError("lightField", "is not loaded");
   (void)resolved(job.display, job.lightField->size());
-  if (job.display.sheet) {
-    const auto [width, height] = job.display.sheet->calibration.params.panel;
-    if (job.lightField->size() != LightFieldSize{width, height, 1, 1})
-      throw InputError("lightField", "is not the picture of the lens sheet's panel, " +
-                                         pairText(width, height) + " px");
-    checkOnSheet(job.sampling, job.twin ? job.twin->params() : TwinParams{});
-    checkOnSheet(job.state.psf, "");
+  const DisplayTraits& traits = display.traits();
+  display.checkContent(job.lightField->size());
+  if (!traits.hasDirections) {
+    checkWithoutDirections(job.sampling, job.twin ? job.twin->params() : TwinParams{});
+    checkWithoutDirections(job.state.psf, "");
   }
-  if (!job.twin) return;
-  if (job.twin->size() != job.lightField->size())
-    throw InputError("twin", "is of a display with other hogels or directions");
-  if (job.twin->needsLinearLight() && job.state.psf.light != LightModel::linear)
+  if (traits.needsLinearLight && job.state.psf.light != LightModel::linear)
     throw InputError("psf.light", "must be \"linear\", because the twin scales or adds light");
-  if ((!job.twin->hogels().empty() || job.twin->hasDead() ||
-       FieldLeakage::isNeeded(job.twin.get(), job.state.psf)) &&
+  if ((traits.hasUnlikeHogels || FieldLeakage::isNeeded(job.twin.get(), job.state.psf)) &&
       job.sampling.reconstruction == Reconstruction::quadrilinear)
     throw InputError(
         "sampling.reconstruction",
@@ -101,10 +99,10 @@ Simulation::Simulation(RenderJob job)
       m_samples(samplesOf(m_job.sampling.samplesPerPixel)),
       m_aperture(
           apertureOf(m_job.state.pupil, m_job.state.camera, m_job.display, m_job.method.aperture)) {
-  checkContent(m_job);
+  checkContent(m_job, m_display);
   if (FieldLeakage::isNeeded(m_job.twin.get(), m_job.state.psf))
     m_leakage.emplace(*m_job.twin, m_job.state.psf);
-  if (m_job.twin && (m_job.twin->drivesTexels() || m_job.twin->hasDead()))
+  if (m_display.traits().drivesTexels)
     m_job.lightField = std::make_shared<const DrivenTexels>(m_job.lightField, m_job.twin);
   for (const AperturePoint& point : m_aperture.points)
     m_displayFromPoint.push_back(m_display.displayFromWorld() *
@@ -114,7 +112,7 @@ Simulation::Simulation(RenderJob job)
 /// Returns the hits of red, green and blue; none unless all see the display.
 std::optional<std::array<Hit, 3>> Simulation::hitsOf(const Vec2& ideal,
                                                      const RigidTransform& from) const {
-  const bool isSplit = m_display.splitsColours();
+  const bool isSplit = m_display.traits().splitsColours;
   const Vec3 direction = from.direction({ideal.x, ideal.y, 1});
   std::array<Hit, 3> hits;
   for (std::size_t channel = 0; channel < 3; ++channel) {
@@ -133,7 +131,7 @@ Rgb Simulation::leaked(const TexelIndex& at) const {
   });
 }
 
-/// Sums a lens sheet's pixels beside the one that a ray meets; beyond the panel there are none.
+/// Sums the pixels beside the one that a ray meets; beyond the panel there are none.
 Rgb Simulation::spotLight(const Hit& hit, const std::vector<double>& spot) const {
   Rgb sum;
   const auto reach = static_cast<int>(spot.size() / 2);
@@ -146,8 +144,8 @@ Rgb Simulation::spotLight(const Hit& hit, const std::vector<double>& spot) const
 }
 
 Rgb Simulation::reconstructed(const Hit& hit) const {
-  if (const LensSheet* sheet = m_display.sheet(); sheet != nullptr && !sheet->spot().empty())
-    return spotLight(hit, sheet->spot());
+  const std::vector<double>& spot = m_display.traits().spot;
+  if (!spot.empty()) return spotLight(hit, spot);
   const LightFieldSize& size = m_display.size();
   const Reconstruction reconstruction = m_job.sampling.reconstruction;
   const bool hogelsToo = reconstruction == Reconstruction::quadrilinear;
@@ -171,10 +169,10 @@ Rgb Simulation::reconstructed(const Hit& hit) const {
 
 /// Returns the light that a ray's pixels send.
 Rgb Simulation::sent(const std::array<Hit, 3>& hits) const {
-  const bool isSplit = m_display.splitsColours();
+  const bool isSplit = m_display.traits().splitsColours;
   Rgb light = reconstructed(hits[0]);
   if (isSplit) light = {light.r, reconstructed(hits[1]).g, reconstructed(hits[2]).b};
-  return m_job.twin && m_job.twin->changesLight() ? m_job.twin->lit(hits, light) : light;
+  return m_display.traits().changesLight ? m_job.twin->lit(hits, light) : light;
 }
 
 /// Averages the pixel's rays from one point of the aperture.

@@ -32,6 +32,7 @@ struct RenderJob {
 /// Throws InputError if the view has no light field, or one that is not the display's size, or if
 /// its twin needs another psf.light or sampling.reconstruction.
 void checkContent(const RenderJob& job);
+void checkContent(const RenderJob& job, const Display& display);  ///< of that job
 
 /// The light of a pixel in code values.
 struct PixelLight : Rgb {

@@ -6,8 +6,6 @@
 #include <numbers>
 #include <utility>
 
-#include "core/panel/twin.h"
-
 namespace hogelscope {
 
 namespace {
@@ -63,26 +61,27 @@ EyePlace eyePlaceOf(const DisplayParams& display, const Vec3& point) {
           std::atan2(p.x, p.z) * degrees};
 }
 
+bool hasDirections(const DisplayParams& display) {
+  return !display.sheet;
+}
+
 Display::Display(const PanelParams& params, std::shared_ptr<const Twin> twin)
     : m_params(params),
       m_size{params.hogels[0], params.hogels[1], params.directions[0], params.directions[1]},
       m_displayFromWorld(transformFromPose(params.position, params.orientation).inverse()),
       m_lenses{lensOf(params, 0), lensOf(params, 1)},
-      m_convergence(params.viewingDistance > 0 ? 1 / params.viewingDistance : 0) {
-  if (params.sheet)
-    m_sheet = std::make_shared<const LensSheet>(
-        *params.sheet, twin ? twin->params().lensArray : LensArrayErrors{});
-  else if (twin && twin->movesRays())
-    m_twin = std::move(twin);
+      m_convergence(params.viewingDistance > 0 ? 1 / params.viewingDistance : 0),
+      m_kind(kindOf(params, std::move(twin))) {
+  if (m_kind) m_traits = m_kind->traits();
+}
+
+void Display::checkContent(const LightFieldSize& size) const {
+  if (m_kind) m_kind->checkContent(size);
 }
 
 std::optional<Hit> Display::intersectPlane(const Vec3& eye, const Vec3& direction,
                                            std::size_t channel) const {
-  if (m_twin) return m_twin->meet(eye, direction, channel);
-  if (m_sheet) {
-    const std::optional<SheetHit> met = m_sheet->meet(eye, direction, channel);
-    return met ? std::optional(Hit{met->column, met->row, 0.5, 0.5}) : std::nullopt;
-  }
+  if (m_traits.movesRays) return m_kind->meet(eye, direction, channel);
   if (!(eye.z > 0 && direction.z < 0)) return std::nullopt;
   const double a = direction.x / direction.z;
   const double b = direction.y / direction.z;
@@ -104,10 +103,8 @@ PanelMap Display::mapFrom(const Vec3& eye) const {
   const double turned = 1 - m_convergence * eye.z;
   PanelMap map;
   map.count = {nx, ny, du, dv};
-  map.twin = m_twin.get();
-  map.sheet = m_sheet.get();
   map.eye = eye;
-  if (m_twin && m_twin->isAffine()) map.affine = m_twin->affineHits(eye);
+  if (m_kind) m_kind->complete(map);
   map.constant = {(eye.x / panel[0] + 0.5) * nx, (0.5 - eye.y / panel[1]) * ny,
                   m_convergence * eye.x, m_convergence * eye.y};
   map.slope = {-eye.z / panel[0] * nx, eye.z / panel[1] * ny, turned, turned};
@@ -122,10 +119,6 @@ PanelMap Display::mapFrom(const Vec3& eye) const {
   map.slope[2] *= across;
   map.slope[3] *= -down;
   return map;
-}
-
-bool Display::splitsColours() const {
-  return m_sheet || (m_twin && m_twin->splitsColours());
 }
 
 bool Display::isOnPanel(const Hit& place) const {
@@ -150,7 +143,8 @@ Vec2 Display::position(double i, double j) const {
 }
 
 PanelRay Display::rayOf(const TexelIndex& at) const {
-  if (m_twin) return m_twin->rayOf(at.i, at.j, at.u + 0.5, at.v + 0.5, greenChannel);
+  if (m_kind)
+    if (const std::optional<PanelRay> ray = m_kind->rayOf(at)) return *ray;
   const Vec2 place = position(at.i + 0.5, at.j + 0.5);
   const Vec2 middle = slopes(at.u + 0.5, at.v + 0.5);
   const Vec2 turned = turn(place);

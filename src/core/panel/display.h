@@ -3,7 +3,9 @@
 #pragma once
 
 #include <array>
+#include <memory>
 #include <optional>
+#include <vector>
 
 #include "core/base/geometry.h"
 #include "core/base/parameters.h"
@@ -65,6 +67,53 @@ struct Hit {
 
 class Twin;
 
+/// What a kind of display, or one unit of it, does to rays and light: data, to be asked in place of
+/// the kind.
+struct DisplayTraits {
+  bool hasDirections = true;      ///< hogels of several directions; otherwise of one pixel
+  bool movesRays = false;         ///< rays meet other pixels than the lattice's
+  bool splitsColours = false;     ///< red, green and blue of a ray meet different pixels
+  bool changesLight = false;      ///< Twin::lit() changes the light of a ray
+  bool drivesTexels = false;      ///< texels send other light than their code values say, or none
+  bool needsLinearLight = false;  ///< psf.light must be "linear"
+  bool hasUnlikeHogels = false;   ///< hogels differ, so that they are not interpolated
+  /// Parts of a ray's light that come from the pixels k = −K … K beside the one that it meets,
+  /// along a row; empty: all of it comes from that one.
+  std::vector<double> spot{};
+};
+
+/// Whether the hogels of a display have several directions, which can leak, be interpolated and be
+/// measured; the pixels behind a lens sheet have one.
+bool hasDirections(const DisplayParams& display);
+
+/// A kind of display whose pixels are not where the lattice of hogels has them, or do not send the
+/// light that their code values say. A new kind is one of these, and a line in kindOf().
+class DisplayKind {
+ public:
+  virtual ~DisplayKind() = default;
+  [[nodiscard]] virtual const DisplayTraits& traits() const = 0;
+  /// Returns what a ray of one colour meets, in the display frame; also beyond the panel and the
+  /// field. None if the eye is not in front of the panel or the ray points away from it.
+  [[nodiscard]] virtual std::optional<Hit> meet(const Vec3& eye, const Vec3& direction,
+                                                std::size_t channel) const = 0;
+  /// Returns the ray of green light from the middle of a directional pixel: the inverse of meet();
+  /// none where it is the lattice's.
+  [[nodiscard]] virtual std::optional<PanelRay> rayOf(const TexelIndex& /*at*/) const {
+    return std::nullopt;
+  }
+  /// Returns the lens sheet whose figures are measured; null for other kinds.
+  [[nodiscard]] virtual const LensSheet* sheet() const { return nullptr; }
+  /// Adds to a map of rays what the kernels of this kind need.
+  virtual void complete(PanelMap& /*map*/) const {}
+  /// Throws InputError if the display cannot show content of this size.
+  virtual void checkContent(const LightFieldSize& /*size*/) const {}
+};
+
+/// Returns a display's kind, with the errors of the unit that was built; null: the lattice as
+/// designed. Throws InputError.
+std::shared_ptr<const DisplayKind> kindOf(const PanelParams& params,
+                                          std::shared_ptr<const Twin> twin);
+
 /// The panel's geometry, which rays are intersected with. If the light field has a viewing
 /// distance, all hogels' fields coincide on the plane at that distance, and a direction (u, v) is a
 /// point of it: the slopes of a direction then depend on the hogel's position.
@@ -76,12 +125,10 @@ class Display {
 
   [[nodiscard]] const LightFieldSize& size() const { return m_size; }
   [[nodiscard]] const RigidTransform& displayFromWorld() const { return m_displayFromWorld; }
-  /// Null for a display as designed, and for a lens sheet, whose errors sheet() has.
-  [[nodiscard]] const Twin* twin() const { return m_twin.get(); }
-  /// Null for a display of hogels.
-  [[nodiscard]] const LensSheet* sheet() const { return m_sheet.get(); }
-  /// Whether red, green and blue of a ray meet different pixels.
-  [[nodiscard]] bool splitsColours() const;
+  [[nodiscard]] const DisplayTraits& traits() const { return m_traits; }
+  [[nodiscard]] const LensSheet* sheet() const { return m_kind ? m_kind->sheet() : nullptr; }
+  /// Throws InputError if the display cannot show content of this size.
+  void checkContent(const LightFieldSize& size) const;
   /// Returns the hogels' lens across (axis 0, u) or down (axis 1, v).
   [[nodiscard]] const HogelLens& lens(std::size_t axis) const { return *m_lenses[axis]; }
 
@@ -123,8 +170,8 @@ class Display {
   RigidTransform m_displayFromWorld;
   std::array<std::shared_ptr<const HogelLens>, 2> m_lenses;
   double m_convergence;
-  std::shared_ptr<const Twin> m_twin;  ///< only if it moves rays
-  std::shared_ptr<const LensSheet> m_sheet;
+  std::shared_ptr<const DisplayKind> m_kind;
+  DisplayTraits m_traits;
 };
 
 }  // namespace hogelscope

@@ -55,16 +55,31 @@ Twin::Twin(TwinParams params, TwinMaps maps, const PanelParams& design, const Pr
   checkKernels();
   checkDirections();
   prepareKernels();
-  const auto& [scale, wavelengths] = m_params.colour;
-  m_splitsColours = scale[0] != scale[1] || scale[1] != scale[2];
-  m_movesRays = m_params.lensArray != LensArrayErrors{} || !m_hogels.empty() ||
-                scale != ColourErrors{}.scale || !m_maps.height.isEmpty() || movesDirections();
+  const std::array<double, 3>& scale = m_params.colour.scale;
+  m_traits.movesRays = m_params.lensArray != LensArrayErrors{} || !m_hogels.empty() ||
+                       scale != ColourErrors{}.scale || !m_maps.height.isEmpty() ||
+                       movesDirections();
+  m_traits.splitsColours = scale[0] != scale[1] || scale[1] != scale[2];
   const auto& [black, ambient, falloff, bits, eotf, fill] = m_params.light;
   const LightErrors none;
-  m_changesLight = black != none.black || ambient != none.ambient || falloff != none.falloff ||
-                   fill != none.fill || !m_gains.empty() ||
-                   std::ranges::any_of(m_maps.directionGain,
-                                       [](const TwinPlane& gain) { return !gain.isEmpty(); });
+  m_traits.changesLight = black != none.black || ambient != none.ambient ||
+                          falloff != none.falloff || fill != none.fill || !m_gains.empty() ||
+                          std::ranges::any_of(m_maps.directionGain, [](const TwinPlane& gain) {
+                            return !gain.isEmpty();
+                          });
+  m_traits.drivesTexels = drivesTexels() || hasDead();
+  m_traits.needsLinearLight = m_traits.changesLight || drivesTexels();
+  m_traits.hasUnlikeHogels = !m_hogels.empty() || hasDead();
+}
+
+void Twin::complete(PanelMap& map) const {
+  if (!m_traits.movesRays) return;
+  map.twin = this;
+  if (isAffine()) map.affine = affineHits(map.eye);
+}
+
+void Twin::checkContent(const LightFieldSize& size) const {
+  if (m_size != size) throw InputError("twin", "is of a display with other hogels or directions");
 }
 
 void Twin::prepareDead() {
@@ -410,6 +425,11 @@ Hit Twin::moved(Hit hit) const {
   hit.j -= below;
   hit.v -= below * dv;
   return hit;
+}
+
+std::optional<PanelRay> Twin::rayOf(const TexelIndex& at) const {
+  if (!m_traits.movesRays) return std::nullopt;
+  return rayOf(at.i, at.j, at.u + 0.5, at.v + 0.5, greenChannel);
 }
 
 PanelRay Twin::rayOf(int i, int j, double u, double v, std::size_t channel) const {

@@ -60,18 +60,17 @@ struct TapRange {
   int last;
 };
 
-class Twin {
+class Twin final : public DisplayKind {
  public:
   /// `design` has its hogels and directions. Throws InputError (twin.…) if a map folds, Cancelled.
   Twin(TwinParams params, TwinMaps maps, const PanelParams& design, const Progress& progress = {});
   /// Returns the bytes that a unit of this design takes while it is made, without its maps.
   [[nodiscard]] static double bytesFor(const TwinParams& params, const PanelParams& design);
   [[nodiscard]] const TwinParams& params() const { return m_params; }
+  [[nodiscard]] const DisplayTraits& traits() const override { return m_traits; }
+  void complete(PanelMap& map) const override;
+  void checkContent(const LightFieldSize& size) const override;
 
-  /// Whether rays meet other pixels than in the design.
-  [[nodiscard]] bool movesRays() const { return m_movesRays; }
-  /// Whether red, green and blue of a ray meet different pixels.
-  [[nodiscard]] bool splitsColours() const { return m_splitsColours; }
   /// Whether the surface is the plane z = 0 and the hogels' lenses are linear, so that lensArray()
   /// and hogels() are all of meet() but for moved().
   [[nodiscard]] bool isSimple() const { return m_maps.height.isEmpty() && m_array.field[0] > 0; }
@@ -79,10 +78,6 @@ class Twin {
   [[nodiscard]] bool movesHits() const {
     return movesDirections() || m_params.lensArray.outside != OutsideField::dark;
   }
-  /// Whether lit() changes light.
-  [[nodiscard]] bool changesLight() const { return m_changesLight; }
-  /// Whether light must be linear.
-  [[nodiscard]] bool needsLinearLight() const { return m_changesLight || drivesTexels(); }
   /// Whether texels are other light than their code values are in sRGB.
   [[nodiscard]] bool drivesTexels() const {
     return m_params.light.bits != 0 || m_params.light.eotf != Eotf::srgb;
@@ -111,10 +106,9 @@ class Twin {
   /// Returns the errors of each hogel, row by row; empty if all are 0.
   [[nodiscard]] const std::vector<HogelErrors>& hogels() const { return m_hogels; }
 
-  /// Returns what a ray of one colour meets, in the display frame; also beyond the panel and the
-  /// field. None if the eye is not in front of the panel or the ray points away from it.
   [[nodiscard]] std::optional<Hit> meet(const Vec3& eye, const Vec3& direction,
-                                        std::size_t channel) const;
+                                        std::size_t channel) const override;
+  [[nodiscard]] std::optional<PanelRay> rayOf(const TexelIndex& at) const override;
   /// Returns the ray that leaves the middle of a hogel's lens with a real-valued direction, as one
   /// colour: the inverse of meet(). Its position is where it passes z = 0.
   [[nodiscard]] PanelRay rayOf(int i, int j, double u, double v, std::size_t channel) const;
@@ -204,9 +198,7 @@ class Twin {
   bool m_isAffine = false;
   /// 1 where dead: hogels row by row, columns and rows of the hogel image; empty if none is.
   std::vector<std::uint8_t> m_deadHogels, m_deadColumns, m_deadRows;
-  bool m_movesRays = false;
-  bool m_splitsColours = false;
-  bool m_changesLight = false;
+  DisplayTraits m_traits;
 };
 
 }  // namespace hogelscope

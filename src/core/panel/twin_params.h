@@ -120,4 +120,27 @@ void describe(ParameterVisitor& v, RandomShift& p);
 void describe(ParameterVisitor& v, RandomGain& p);
 void describe(ParameterVisitor& v, TwinMapFiles& p);
 
+/// Visit the parts in the order of documents (SectionVisitor, io/json/sections.h).
+template <class Visitor>
+void describeParts(Visitor& v, TwinRandom& random) {
+  v.fields(random);
+  v.optional("shift", random.shift);
+  v.optional("gain", random.gain);
+}
+template <class Visitor>
+void describeParts(Visitor& v, TwinMapFiles& maps) {
+  v.fields(maps);
+  for (std::string* const file : maps.files()) v.file(*file);
+}
+template <class Visitor>
+void describeParts(Visitor& v, TwinParams& twin) {
+  v.optional("lensArray", twin.lensArray);
+  v.optional("colour", twin.colour);
+  v.optional("leakage", twin.leakage);
+  v.optional("light", twin.light);
+  v.optional("dead", twin.dead);
+  v.optional("random", twin.random);
+  v.optional("maps", twin.maps);
+}
+
 }  // namespace hogelscope

@@ -87,7 +87,7 @@ std::vector<Rgb> TwinContent::lightOf(const LightFieldSource& source, int j, int
     return lightAlong(source, rays);
   };
   std::vector<Rgb> light = along(greenChannel);
-  if (m_twin->splitsColours()) {
+  if (m_twin->traits().splitsColours) {
     const std::vector<Rgb> red = along(0);
     const std::vector<Rgb> blue = along(2);
     for (std::size_t k = 0; k < light.size(); ++k) {
