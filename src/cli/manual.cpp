@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cli/help.h"
 
+#include <optional>
+
 #include "core/base/text.h"
 #include "core/cameras/camera_set.h"
 #include "core/content/pattern.h"
 #include "core/optics/session.h"
 #include "io/documents/light_field_params.h"
+#include "io/documents/session_parts.h"
 
 namespace hogelscope {
 
@@ -84,13 +87,14 @@ std::string lightFieldTables() {
     params.layout = layout;
     return table(params, heading);
   };
-  std::string text = tableOf(Layout::hogels, "lightField");
+  std::string text;
   for (const Layout layout : {Layout::views, Layout::quilt, Layout::mosaic, Layout::lenslets})
     text += tableOf(layout, "lightField, layout " + std::string(nameOf(layout)));
   return text +
          tableOf(Layout::hogels, "lightField, a file of raw YUV, in any of these layouts",
                  "NAME.yuv") +
-         tableOf(Layout::live, "lightField, layout live");
+         tableOf(Layout::live, "lightField, layout live") +
+         table<LiveParams>({}, "lightField, layout live: the object of the source's name");
 }
 
 std::string sheetTables() {
@@ -100,11 +104,45 @@ std::string sheetTables() {
          table<SheetParams>({}, "display.calibration and lightField.calibration, of a lens sheet");
 }
 
-std::string twinTables() {
-  return table<LensArrayErrors>() + table<ColourErrors>() + table<LeakageErrors>() +
-         table<LightErrors>() + table<TwinRandom>() + table<RandomShift>() + table<RandomGain>() +
-         table<TwinMapFiles>();
-}
+/// The tables of a session with one state, in the order of documents.
+class SessionTables : public SectionVisitor {
+ public:
+  SessionTables() {
+    Session session;
+    session.cameras.resize(1);
+    parts(session);
+  }
+  [[nodiscard]] std::string text() {
+    close();
+    return m_text;
+  }
+
+ private:
+  ParameterVisitor* fieldVisitor() override {
+    close();
+    return &m_table.emplace("");
+  }
+  bool begin(std::string_view name, bool /*isWritten*/) override {
+    if (name == "calibration") return false;  // stands with the lens sheet's
+    m_names.emplace_back(name);
+    return true;
+  }
+  void end() override {
+    close();
+    // Forms of a section that its kind or layout decides follow it.
+    if (m_names.back() == "display") m_text += sheetTables();
+    if (m_names.back() == "lightField") m_text += lightFieldTables();
+    m_names.pop_back();
+  }
+  void close() {
+    if (m_table) m_text += m_table->text();
+    m_table.reset();
+  }
+
+  std::string m_text;
+  std::optional<ManualTable> m_table;
+  std::vector<std::string> m_names;
+};
 
 }  // namespace
 
@@ -115,11 +153,7 @@ std::string parameterManual() {
          "and `psf`\nthen go to every state. "
          "In a session document `camera`'s fields stand in the state itself, beside its\n"
          "`intrinsics`, `pupil`, `stereo`, `distortion` and `psf`.\n\n" +
-         table<DisplayParams>() + sheetTables() + twinTables() + lightFieldTables() +
-         table<LiveParams>({}, "lightField, layout live: the object of the source's name") +
-         table<SamplingParams>() + table<DepthParams>() + table<CameraParams>() +
-         table<IntrinsicsParams>() + table<PupilParams>() + table<StereoParams>() +
-         table<DistortionParams>() + table<PsfParams>() +
+         SessionTables().text() +
          "# Parameters of a camera set\n\n"
          "For `--make-cameras`, likewise with `--set`; none of them stands in a session.\n\n" +
          table<CameraSetParams>() + table<CameraRegionParams>() + table<TraceParams>() +

@@ -121,9 +121,10 @@ void TestBadJson::structure_data() {
             "camera: is not known here; did you mean \"cameras\"?");
   refusedIn("unknown display field", text({.display = R"({"hogel": [4, 3]})"}),
             "display.hogel: is not known here; did you mean \"hogels\"?");
-  refusedIn("unknown display field, nothing near", text({.display = R"({"thickness": 0.1})"}),
-            "display.thickness: is not known here; known are position, orientation, size, hogels, "
-            "directions, fov, lens, kind");
+  refusedIn(
+      "unknown display field, nothing near", text({.display = R"({"thickness": 0.1})"}),
+      "display.thickness: is not known here; known are kind, position, orientation, size, hogels, "
+      "directions, fov, lens");
   refusedIn("unknown lightField field", text({.lightField = R"({"filename": "scene.png"})"}),
             "lightField.filename: is not known here; did you mean \"file\"?");
   refusedIn(
@@ -138,12 +139,14 @@ void TestBadJson::structure_data() {
             "cameras[0].distortion.k4: is not known here; did you mean \"k1\"?");
   refusedIn("unknown psf field", state(R"("psf": {"window": 3})"),
             "cameras[0].psf.window: is not known here; known are sigma, windowSize, border, light");
-  refusedIn("a line break in a key", text({.display = R"({"a\nb": 1})"}),
-            "display.a\\x0ab: is not known here; known are position, orientation, size, hogels, "
-            "directions, fov, lens, kind");
-  refusedIn("an escape code in a key", text({.display = R"({"\u001b[31m": 1})"}),
-            "display.\\x1b[31m: is not known here; known are position, orientation, size, hogels, "
-            "directions, fov, lens, kind");
+  refusedIn(
+      "a line break in a key", text({.display = R"({"a\nb": 1})"}),
+      "display.a\\x0ab: is not known here; known are kind, position, orientation, size, hogels, "
+      "directions, fov, lens");
+  refusedIn(
+      "an escape code in a key", text({.display = R"({"\u001b[31m": 1})"}),
+      "display.\\x1b[31m: is not known here; known are kind, position, orientation, size, hogels, "
+      "directions, fov, lens");
   refusedIn("display null", text({.display = "null"}),
             "display: null is not an object: { \"name\": value, … }");
   refusedIn("display a list", text({.display = "[]"}),

@@ -14,6 +14,40 @@ class TestChangedField : public QObject {
   void eachKindOfField_data();
   void eachKindOfField();
 
+  /// Of all sections: each field of a session has its name in the Edit menu.
+  void sectionsOfASession() {
+    const auto changed = [](const std::function<void(Session&)>& change) {
+      Session after;
+      change(after);
+      return changedField(Session{}, after);
+    };
+    QCOMPARE(changed([](Session& s) { s.display.size[0] = 1; }), std::string("size"));
+    QCOMPARE(changed([](Session& s) { s.display.sheet.emplace(); }), std::string("kind"));
+    QCOMPARE(changed([](Session& s) { s.twin.dead.rows = {3}; }), std::string("rows"));
+    QCOMPARE(changed([](Session& s) { s.twin.random.gain.sigma = 1; }), std::string("sigma"));
+    QCOMPARE(changed([](Session& s) { s.twin.maps.kernelTiles = 3; }), std::string("kernelTiles"));
+    QCOMPARE(changed([](Session& s) { s.lightField.file = "a.png"; }), std::string("file"));
+    Session before;
+    before.display.sheet.emplace();
+    Session after = before;
+    after.display.sheet->calibration.params.cone = 40;
+    QCOMPARE(changedField(before, after), std::string("cone"));
+    after = before;
+    after.display.sheet->file = "visual.json";
+    QCOMPARE(changedField(before, after), std::string("calibration"));
+    after = before;
+    after.lightField.calibration.emplace().params.slope = 3;
+    QCOMPARE(changedField(before, after), std::string("slope"));
+    QCOMPARE(changed([](Session& s) { s.depth.comfort = 0.1; }), std::string("comfort"));
+    QCOMPARE(changed([](Session& s) { s.metrics = {"flip"}; }), std::string("metrics"));
+    QCOMPARE(changed([](Session& s) {
+               s.twinFile = "unit.json";
+               s.twin.lensArray.gapError = 0.1;
+             }),
+             std::string("gapError"));
+    QCOMPARE(changed([](Session& s) { s.twinFile = "unit.json"; }), std::string("twin"));
+  }
+
   void nothingChanged() { QCOMPARE(changedField(CameraState{}, CameraState{}), std::string()); }
 
   void theFirstOfSeveral() {

@@ -7,6 +7,7 @@
 #include <QTest>
 
 #include "io/documents/session_file.h"
+#include "io/documents/session_parts.h"
 #include "tests/io/documents.h"
 
 using namespace hogelscope;
@@ -58,14 +59,17 @@ void TestTwinFile::init() {
 }
 
 void TestTwinFile::readsAndWritesAll() {
-  const TwinParams twin = readTwin(parseJson(whole.toStdString()));
+  TwinParams twin;
+  readParts(parseJson(whole.toStdString()), "twin", twin);
   QCOMPARE(twin.lensArray.pitchError, (std::array{3e-4, 2e-4}));
   QCOMPARE(twin.lensArray.outside, OutsideField::neighbour);
   QCOMPARE(twin.light.eotf, Eotf::gamma22);
   QCOMPARE(twin.dead.columns, (std::vector{1, 2}));
   QCOMPARE(twin.dead.hogels, (std::vector{std::array{0, 1}}));
   QCOMPARE(twin.random.shift.length, 2.0);
-  QVERIFY(readTwin(writtenTwin(twin)) == twin);
+  TwinParams reread;
+  readParts(writtenParts(twin), "twin", reread);
+  QVERIFY(reread == twin);
   writeFile("far/bare.json", whole);
   saveTwin("far/unit.json", twin);
   TwinParams again = loadTwin("far/unit.json");
@@ -77,7 +81,7 @@ void TestTwinFile::readsAndWritesAll() {
 }
 
 void TestTwinFile::leavesOutWhatIsAsDesigned() {
-  QVERIFY(writtenTwin({}).empty());
+  QVERIFY(writtenParts(TwinParams{}).empty());
   const QByteArray text = QByteArray::fromStdString(textOf(parsed(linear("{}"))));
   QVERIFY2(!text.contains("twin"), text);
   QVERIFY(!QByteArray::fromStdString(textOf(parsed(linear(R"({"light": {"black": 0.01}})"))))

@@ -5,14 +5,14 @@
 #include <algorithm>
 #include <vector>
 
-#include "io/documents/light_field_params.h"
+#include "io/documents/session_parts.h"
 
 namespace hogelscope {
 
 namespace {
 
 /// Collects all values in the order of the descriptions.
-class Values : public ParameterVisitor {
+class Values : public ParameterVisitor, public SectionVisitor {
  public:
   struct Value {
     std::string name;
@@ -21,56 +21,52 @@ class Values : public ParameterVisitor {
     bool operator==(const Value&) const = default;
   };
 
-  explicit Values(CameraState state) {
-    describe(*this, state.camera);
-    describe(*this, state.intrinsics);
-    describe(*this, state.pupil);
-    describe(*this, state.stereo);
-    describe(*this, state.distortion);
-    describe(*this, state.psf);
+  template <class Described>
+  explicit Values(Described described) {
+    parts(described);
   }
-  explicit Values(Session session) {
-    describe(*this, session.display);
-    if (session.display.lensParams.isGiven()) describe(*this, session.display.lensParams);
-    describe(*this, session.twin.lensArray);
-    describe(*this, session.twin.colour);
-    describe(*this, session.twin.leakage);
-    describe(*this, session.twin.light);
-    describe(*this, session.twin.random);
-    describe(*this, session.twin.random.shift);
-    describe(*this, session.twin.random.gain);
-    describe(*this, session.twin.maps);
-    describe(*this, session.lightField);
-    if (session.lightField.content.isGiven()) describe(*this, session.lightField.content);
-    describe(*this, session.lightField.live);
-    describe(*this, session.sampling);
-  }
-  std::vector<Value> values;
+  std::vector<Value> all;
 
  private:
+  ParameterVisitor* fieldVisitor() override { return this; }
+  bool begin(std::string_view /*name*/, bool /*isWritten*/) override { return true; }
+  void end() override {}
+  /// A file's name comes last, since an edit of what is in it drops the name.
+  bool document(std::string_view name, std::string& file, bool isWritten,
+                const Visit& visit) override {
+    visit();
+    all.push_back({std::string(name), {}, file});
+    return isWritten;
+  }
+  bool value(std::string_view name, bool isWritten, const ReadValue& /*read*/,
+             const WriteValue& write) override {
+    all.push_back({std::string(name), {}, isWritten ? write().dump() : ""});
+    return true;
+  }
+
   void group(std::string_view, std::string_view) override {}
   void numbers(const Field& field, std::span<double> list, bool) override {
-    values.push_back({std::string(field.name), {list.begin(), list.end()}, {}});
+    all.push_back({std::string(field.name), {list.begin(), list.end()}, {}});
   }
   void integers(const Field& field, std::span<int> list, bool) override {
-    values.push_back({std::string(field.name), {list.begin(), list.end()}, {}});
+    all.push_back({std::string(field.name), {list.begin(), list.end()}, {}});
   }
   void flag(const Field& field, bool& value) override {
-    values.push_back({std::string(field.name), {double(value)}, {}});
+    all.push_back({std::string(field.name), {double(value)}, {}});
   }
   void text(const Field& field, std::string& value) override {
-    values.push_back({std::string(field.name), {}, value});
+    all.push_back({std::string(field.name), {}, value});
   }
   void choice(const Field& field, int& index) override {
-    values.push_back({std::string(field.name), {double(index)}, {}});
+    all.push_back({std::string(field.name), {double(index)}, {}});
   }
 };
 
 /// Returns the first change. A choice comes before the fields that only one of its values has.
 template <class Described>
 std::string firstChange(const Described& before, const Described& after) {
-  const std::vector<Values::Value> old = Values(before).values;
-  const std::vector<Values::Value> now = Values(after).values;
+  const std::vector<Values::Value> old = Values(before).all;
+  const std::vector<Values::Value> now = Values(after).all;
   const auto [changed, newer] = std::mismatch(old.begin(), old.end(), now.begin(), now.end());
   if (changed != old.end()) return changed->name;
   return newer != now.end() ? newer->name : "";

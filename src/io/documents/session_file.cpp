@@ -8,13 +8,11 @@
 #include "core/base/error.h"
 #include "core/base/text.h"
 #include "core/cameras/state_list_edits.h"
-#include "io/documents/light_field_params.h"
+#include "io/documents/session_parts.h"
 #include "io/documents/sheet_file.h"
 #include "io/documents/twin_file.h"
 #include "io/files/atomic_file.h"
 #include "io/files/folders.h"
-#include "io/json/json_parameters.h"
-#include "io/plugins/display_json.h"
 #include "io/plugins/plugin_library.h"
 #include "io/plugins/plugin_list.h"
 
@@ -24,156 +22,89 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr int documentVersion = 1;
-constexpr std::array<std::string_view, 5> sharedSections{"display", "twin", "lightField",
-                                                         "sampling", "depth"};
-constexpr std::array<std::string_view, 6> stateSections{"camera", "intrinsics", "pupil",
-                                                        "stereo", "distortion", "psf"};
-
-CameraState readState(const Json& object, const std::string& path) {
-  CameraState state;
-  JsonReader reader(object, path);
-  describe(reader, state.camera);
-  readSection(reader, "intrinsics", state.intrinsics);
-  readSection(reader, "pupil", state.pupil);
-  readSection(reader, "stereo", state.stereo);
-  readSection(reader, "distortion", state.distortion);
-  readSection(reader, "psf", state.psf);
-  reader.refuseUnknown();
-  return state;
-}
-
-LightFieldParams readLightField(const Json& object) {
-  LightFieldParams params;
-  JsonReader reader(object, "lightField");
-  describe(reader, params);
-  if (object.contains("calibration"))
-    params.calibration = readSheet(*reader.section("calibration"), reader.pathOf("calibration"));
-  if (params.isLive() && !params.source.empty()) {
-    params.content = contentParamsOf(params.source);
-    if (const Json* own = reader.section(params.source); own != nullptr) {
-      JsonReader ownReader(*own, reader.pathOf(params.source));
-      describe(ownReader, params.content);
-      describe(ownReader, params.live);
-      ownReader.refuseUnknown();
-    }
+/// The names of a session's sections, and of those of its states.
+class SectionNames : public SectionVisitor {
+ public:
+  SectionNames() {
+    Session session;
+    session.cameras.resize(1);
+    parts(session);
   }
-  reader.refuseUnknown();
-  return params;
-}
+  std::vector<std::string> shared;
+  std::vector<std::string> ofStates{"camera"};
 
-void checkVersion(const Json* version) {
-  const std::string wanted = "\"hogelscope\": " + std::to_string(documentVersion);
-  if (version == nullptr) throw InputError("hogelscope", "is missing: a session says " + wanted);
-  if (*version != documentVersion)
-    throw InputError("hogelscope",
-                     version->dump() + " is not a version that this program reads: " + wanted);
-}
-
-std::vector<CameraState> readStates(const Json& cameras) {
-  if (!cameras.is_array())
-    throw InputError("cameras", "is not a list of camera states: [ { … }, … ]");
-  std::vector<CameraState> states;
-  for (std::size_t k = 0; k < cameras.size(); ++k)
-    states.push_back(readState(cameras[k], "cameras[" + std::to_string(k) + "]"));
-  return states;
-}
-
-std::vector<std::string> readMetrics(const Json& list) {
-  const char* const wanted = "is not a list of plugins' names: [\"ms-ssim\"]";
-  if (!list.is_array()) throw InputError("metrics", wanted);
-  std::vector<std::string> names;
-  for (const Json& name : list) {
-    if (!name.is_string()) throw InputError("metrics", wanted);
-    names.push_back(name.get<std::string>());
+ private:
+  ParameterVisitor* fieldVisitor() override { return nullptr; }
+  bool begin(std::string_view name, bool /*isWritten*/) override {
+    (m_isState ? ofStates : shared).emplace_back(name);
+    return false;
   }
+  void end() override {}
+  void items(std::string_view /*name*/, std::string_view /*what*/, std::size_t /*count*/,
+             const std::function<void(std::size_t count)>& /*resize*/,
+             const std::function<void(std::size_t index)>& visit) override {
+    m_isState = true;
+    visit(0);
+  }
+
+  bool m_isState = false;
+};
+
+const SectionNames& sectionNames() {
+  static const SectionNames names;
   return names;
 }
 
-Session readSession(const Json& document) {
-  Session session;
-  JsonReader reader(document, "");
-  checkVersion(reader.section("hogelscope"));
-  if (const Json* display = reader.section("display"); display != nullptr)
-    session.display = readDisplay(*display);
-  if (const Json* twin = reader.section("twin"); twin != nullptr) session.twin = readTwin(*twin);
-  if (const Json* lightField = reader.section("lightField"); lightField != nullptr)
-    session.lightField = readLightField(*lightField);
-  readSection(reader, "sampling", session.sampling);
-  readSection(reader, "depth", session.depth);
-  if (const Json* metrics = reader.section("metrics"); metrics != nullptr)
-    session.metrics = readMetrics(*metrics);
-  if (const Json* cameras = reader.section("cameras"); cameras != nullptr)
-    session.cameras = readStates(*cameras);
-  reader.refuseUnknown();
-  check(session);
-  return session;
+/// Returns the object of a document that a session names in its place: a twin's, with its files as
+/// from the session's folder, or a lens sheet's calibration.
+Json loadNamed(const std::string& path, const std::string& name, const fs::path& folder) {
+  return path == "twin" ? twinObject(name, folder) : sheetObject(folder / name);
 }
 
 /// Returns the object that has the field of a path like "mesh.file", which is created if it is
-/// missing; null if something else is in its place.
-Json* objectAt(Json& object, const std::string& path) {
+/// missing; the document that stands in its place is read. Null if something else is in its place.
+Json* objectAt(Json& object, const std::string& around, const std::string& path,
+               const fs::path& folder) {
+  if (object.is_string() && (around == "twin" || around.ends_with(".calibration")))
+    object = loadNamed(around, object.get<std::string>(), folder);
   if (!object.is_object() && !object.is_null()) return nullptr;
   const std::size_t dot = path.find('.');
-  return dot == std::string::npos ? &object
-                                  : objectAt(object[path.substr(0, dot)], path.substr(dot + 1));
+  if (dot == std::string::npos) return &object;
+  const std::string name = path.substr(0, dot);
+  return objectAt(object[name], around + "." + name, path.substr(dot + 1), folder);
 }
 
 /// Applies an override to the document, so that one reader checks everything.
-void applyOverride(Json& document, const std::string& text) {
+void applyOverride(Json& document, const std::string& text, const fs::path& folder) {
   if (text.starts_with("metrics=")) {  // a list, not a section
     if (document.is_object()) document["metrics"] = parseOverride("session." + text).value;
     return;
   }
   const Override change = parseOverride(text);
   const std::string& section = change.section;
-  const auto isOneOf = [&section](const auto& names) {
-    return std::find(names.begin(), names.end(), section) != names.end();
+  const SectionNames& names = sectionNames();
+  const auto isOneOf = [&section](const std::vector<std::string>& known) {
+    return std::ranges::find(known, section) != known.end();
   };
-  if (isOneOf(sharedSections)) {
+  if (isOneOf(names.shared)) {
     if (!document.is_object()) return;
-    if (Json* target = objectAt(document[section], change.field); target != nullptr)
+    if (Json* target = objectAt(document[section], section, change.field, folder);
+        target != nullptr)
       (*target)[change.field.substr(change.field.rfind('.') + 1)] = change.value;
     return;
   }
-  if (!isOneOf(stateSections))
-    throw InputError("override " + text,
-                     "there is no section \"" + section +
-                         "\": display, twin, lightField, sampling, depth, camera, intrinsics, "
-                         "pupil, stereo, distortion, psf");
+  if (!isOneOf(names.ofStates)) {
+    std::string known;
+    for (const auto& list : {names.shared, names.ofStates})
+      for (const std::string& name : list) known += (known.empty() ? "" : ", ") + name;
+    throw InputError("override " + text, "there is no section \"" + section + "\": " + known);
+  }
   if (!document.is_object() || !document.contains("cameras")) return;
   for (Json& state : document["cameras"]) {
     if (!state.is_object()) continue;
     Json& target = section == "camera" ? state : state[section];
     if (target.is_object() || target.is_null()) target[change.field] = change.value;
   }
-}
-
-Json writtenLightField(const LightFieldParams& params) {
-  Json object = written(params);
-  if (params.calibration)
-    object["calibration"] = params.calibrationFile.empty() ? writtenSheet(*params.calibration)
-                                                           : Json(params.calibrationFile);
-  if (params.content.isGiven()) {
-    Json own = written(params.content);
-    own.update(written(params.live));
-    object[params.source] = std::move(own);
-  }
-  return object;
-}
-
-Json writtenState(const CameraState& state) {
-  Json object = written(state.camera);
-  if (state.intrinsics.isGiven()) {
-    object["intrinsics"] = written(state.intrinsics);
-    object.erase("fov");
-  }
-  // A pinhole and one eye are left out, so documents without them stay as they were.
-  if (state.pupil != PupilParams{}) object["pupil"] = written(state.pupil);
-  if (state.stereo != StereoParams{}) object["stereo"] = written(state.stereo);
-  object["distortion"] = written(state.distortion);
-  object["psf"] = written(state.psf);
-  return object;
 }
 
 /// Applies a calibration to the document too, so that overrides come after it.
@@ -188,41 +119,20 @@ void applyCalibration(Json& document, const Calibration& calibration) {
 }
 
 /// Applies a change to all file names of a session.
-template <class Change>
-void changeFiles(Session& session, const Change& change) {
-  LightFieldParams& lightField = session.lightField;
-  for (std::string* const own :
-       {&lightField.file, &lightField.lenslets.white, &lightField.lenslets.dark})
-    if (!own->empty()) *own = change(*own);
-  lightField.content.changeFiles(change);
-  for (std::string* const own : session.twin.maps.files()) *own = change(*own);
-  if (!session.twinFile.empty()) session.twinFile = change(session.twinFile);
-  session.display.lensParams.changeFiles(change);
-  if (session.display.sheet && !session.display.sheet->file.empty())
-    session.display.sheet->file = change(session.display.sheet->file);
-  if (!lightField.calibrationFile.empty())
-    lightField.calibrationFile = change(lightField.calibrationFile);
+void changeFiles(Session& session, const FileVisitor::Change& change) {
+  FileVisitor(change).parts(session);
 }
 
-/// Reads a document with overrides. The documents of a twin and of lens sheets are kept unless they
-/// are overridden.
+/// Reads a document with overrides; an override of what stands in a document of its own ends the
+/// session's naming of that document.
 Session readOverridden(Json& document, const std::vector<std::string>& overrides,
                        const fs::path& folder) {
-  const std::string twinFile = embedTwin(document, folder);
-  const std::string sheetFile = embedSheet(document, "display", folder);
-  const std::string weaveFile = embedSheet(document, "lightField", folder);
-  for (const std::string& change : overrides) applyOverride(document, change);
-  completeWeave(document);
-  Session session = readSession(document);
-  const auto isSame = [&](const char* section) {
-    return std::ranges::none_of(
-        overrides, [&](const std::string& change) { return change.starts_with(section); });
-  };
-  if (isSame("twin.")) session.twinFile = twinFile;
-  if (session.display.sheet && isSame("display.calibration"))
-    session.display.sheet->file = sheetFile;
-  if (session.lightField.calibration && isSame("lightField.calibration"))
-    session.lightField.calibrationFile = weaveFile;
+  for (const std::string& change : overrides) applyOverride(document, change, folder);
+  Session session;
+  readParts(document, "", session, [&](const std::string& path, const std::string& name) {
+    return loadNamed(path, name, folder);
+  });
+  check(session);
   return session;
 }
 
@@ -252,21 +162,7 @@ Session loadSession(const fs::path& file, const std::vector<std::string>& overri
 }
 
 std::string textOf(const Session& session) {
-  Json document = Json::object();
-  document["hogelscope"] = documentVersion;
-  document["display"] = writtenDisplay(session.display);
-  if (!session.twinFile.empty())
-    document["twin"] = session.twinFile;
-  else if (session.twin != TwinParams{})
-    document["twin"] = writtenTwin(session.twin);
-  document["lightField"] = writtenLightField(session.lightField);
-  document["sampling"] = written(session.sampling);
-  if (session.depth != DepthParams{}) document["depth"] = written(session.depth);
-  if (!session.metrics.empty()) document["metrics"] = session.metrics;
-  document["cameras"] = Json::array();
-  for (const CameraState& state : session.cameras)
-    document["cameras"].push_back(writtenState(state));
-  return formatJson(document);
+  return formatJson(writtenParts(session));
 }
 
 std::string textFor(const fs::path& file, const Session& session) {
@@ -281,19 +177,17 @@ void saveSession(const fs::path& file, const Session& session) {
 
 std::vector<CameraState> loadStates(const fs::path& file) {
   return inFile(file.string(), [&] {
-    const Json document = parseJson(readTextFile(file));
-    JsonReader reader(document, "");
-    checkVersion(reader.section("hogelscope"));
-    for (const std::string_view section : sharedSections) (void)reader.section(section);
-    (void)reader.section("metrics");
-    const Json* cameras = reader.section("cameras");
-    reader.refuseUnknown();
-    if (cameras == nullptr || cameras->empty())
+    Json document = parseJson(readTextFile(file));
+    // All else may be wrong.
+    for (const std::string& name : sectionNames().shared)
+      if (document.is_object()) document.erase(name);
+    Session session;
+    readParts(document, "", session);
+    if (session.cameras.empty())
       throw InputError("cameras", "is missing or empty: there is no camera state to load");
-    std::vector<CameraState> states = readStates(*cameras);
-    for (std::size_t k = 0; k < states.size(); ++k)
-      check(states[k], "cameras[" + std::to_string(k) + "]");
-    return states;
+    for (std::size_t k = 0; k < session.cameras.size(); ++k)
+      check(session.cameras[k], "cameras[" + std::to_string(k) + "]");
+    return session.cameras;
   });
 }
 
@@ -304,7 +198,7 @@ void appendStates(const fs::path& file, const std::vector<CameraState>& states) 
     Session session = readOverridden(whole, {}, file.parent_path());
     for (const CameraState& state : states) {
       const std::size_t index = addState(session, state);
-      document["cameras"].push_back(writtenState(session.cameras[index]));
+      document["cameras"].push_back(writtenParts(session.cameras[index]));
     }
     check(session);
     writeTextFile(file, formatJson(document));
@@ -342,15 +236,14 @@ Session newSession() {
 }
 
 std::vector<fs::path> sessionFiles(const Session& session) {
-  const std::vector<std::string> lens = session.display.lensParams.files();
-  std::vector<fs::path> files(lens.begin(), lens.end());
-  if (!session.twinFile.empty()) files.emplace_back(session.twinFile);
-  if (session.display.sheet && !session.display.sheet->file.empty())
-    files.emplace_back(session.display.sheet->file);
-  if (!session.lightField.calibrationFile.empty())
-    files.emplace_back(session.lightField.calibrationFile);
-  TwinMapFiles maps = session.twin.maps;
-  for (const std::string* const file : maps.files()) files.emplace_back(*file);
+  Session own = session;
+  own.lightField = {};
+  own.lightField.calibrationFile = session.lightField.calibrationFile;
+  std::vector<fs::path> files;
+  changeFiles(own, [&](const std::string& file) {
+    files.emplace_back(file);
+    return file;
+  });
   std::vector<std::string> plugins = session.metrics;
   plugins.push_back(session.display.lensSource);
   plugins.push_back(session.lightField.source);

@@ -67,7 +67,7 @@ Json subPixelsOf(const Json& cell, const std::string& path) {
   return places;
 }
 
-/// Returns the object that readSheet() reads.
+/// Returns a vendor's figures as a session's `calibration` has them.
 Json figuresOf(const Json& document) {
   const auto panelOf = [&](const char* key) {
     return wholeNumber(neededNumber(document, key), key);
@@ -80,6 +80,7 @@ Json figuresOf(const Json& document) {
                {"cone", neededNumber(document, "viewCone")}};
   if (const auto serial = document.find("serial"); serial != document.end())
     figures["serial"] = *serial;
+  if (sheetNumber(document, "invView").value_or(1) == 0) figures["invView"] = 0;
   const auto cells = document.find("subpixelCells");
   if (cells == document.end() || (cells->is_array() && cells->empty())) return figures;
   if (!cells->is_array()) throw InputError("subpixelCells", "is not a list of kinds of pixels");
@@ -91,20 +92,11 @@ Json figuresOf(const Json& document) {
   return figures;
 }
 
-/// Returns a section's calibration in a session's document; null if it has none.
-Json* calibrationIn(Json& session, const char* section) {
-  if (!session.is_object()) return nullptr;
-  const auto object = session.find(section);
-  if (object == session.end() || !object->is_object()) return nullptr;
-  const auto given = object->find("calibration");
-  return given == object->end() ? nullptr : &*given;
-}
-
 SheetCalibration calibrationOf(const Json& document, std::vector<std::string>* warnings) {
   if (sheetNumber(document, "flipImageX").value_or(0) != 0)
     throw InputError("flipImageX", "is not 0: mirrored panels are not modelled");
-  SheetCalibration calibration = readSheet(figuresOf(document), "");
-  calibration.isInverted = sheetNumber(document, "invView").value_or(1) == 0;
+  SheetCalibration calibration;
+  readParts(figuresOf(document), "", calibration);
   if (warnings != nullptr && calibration.isInverted)
     warnings->push_back("invView is 0, which is ignored: views go from left to right");
   return calibration;
@@ -134,21 +126,12 @@ SheetCalibration loadSheetCalibration(const std::filesystem::path& file,
   return inFile(file.string(), [&] { return calibrationOf(sheetDocument(file), warnings); });
 }
 
-std::string embedSheet(Json& session, const char* section, const std::filesystem::path& folder) {
-  Json* const given = calibrationIn(session, section);
-  if (given == nullptr || !given->is_string()) return {};
-  std::string name = given->get<std::string>();
-  *given = writtenSheet(loadSheetCalibration(folder / name));
-  return name;
-}
-
-void completeWeave(Json& session) {
-  const Json* const own = calibrationIn(session, "display");
-  Json* const weave = calibrationIn(session, "lightField");
-  if (own == nullptr || weave == nullptr || !own->is_object() || !weave->is_object()) return;
-  Json whole = *own;
-  whole.update(*weave);
-  *weave = std::move(whole);
+Json sheetObject(const std::filesystem::path& file) {
+  return inFile(file.string(), [&] {
+    const Json document = sheetDocument(file);
+    (void)calibrationOf(document, nullptr);  // says what is wrong with the file itself
+    return figuresOf(document);
+  });
 }
 
 }  // namespace hogelscope

@@ -21,11 +21,7 @@ bool isSheetCalibration(const std::filesystem::path& file);
 SheetCalibration loadSheetCalibration(const std::filesystem::path& file,
                                       std::vector<std::string>* warnings = nullptr);
 
-/// Puts the calibration that a section ("display", "lightField") names as a file into a session's
-/// document. Returns the name, or "". Throws InputError.
-std::string embedSheet(Json& session, const char* section, const std::filesystem::path& folder);
-
-/// Completes the light field's calibration, if it has one, by the figures of the display's.
-void completeWeave(Json& session);
+/// Returns what the file says in the form of a session's `calibration`. Throws likewise.
+Json sheetObject(const std::filesystem::path& file);
 
 }  // namespace hogelscope

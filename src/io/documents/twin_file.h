@@ -11,11 +11,6 @@
 
 namespace hogelscope {
 
-/// Reads a session's twin; `path` is its place in the document. Throws InputError.
-TwinParams readTwin(const Json& object, const std::string& path = "twin");
-/// Returns the parts of a twin that are not as designed.
-Json writtenTwin(const TwinParams& twin);
-
 /// Reads a twin's document: the twin itself, or an object with it as "twin". Its files are named as
 /// from the current folder. Throws InputError.
 TwinParams loadTwin(const std::filesystem::path& file);
@@ -25,8 +20,8 @@ std::string textFor(const std::filesystem::path& file, const TwinParams& twin);
 /// Writes that document. Throws InputError.
 void saveTwin(const std::filesystem::path& file, const TwinParams& twin);
 
-/// Replaces the name of a twin's document in a session, if it has one, by that document's content,
-/// with files as from the session's folder. Returns the name, or "". Throws InputError.
-std::string embedTwin(Json& session, const std::filesystem::path& folder);
+/// Returns the twin of the document `name` in a session's folder, its files as from that folder.
+/// Throws InputError.
+Json twinObject(const std::string& name, const std::filesystem::path& folder);
 
 }  // namespace hogelscope

@@ -171,6 +171,10 @@ std::string JsonReader::pathOf(std::string_view name) const {
   return m_path.empty() ? std::string(name) : m_path + "." + std::string(name);
 }
 
+bool JsonReader::has(std::string_view name) const {
+  return m_object.contains(std::string(name));
+}
+
 const Json* JsonReader::section(std::string_view name) {
   if (std::find(m_known.begin(), m_known.end(), name) != m_known.end())
     throw InputError(pathOf(name), "is declared twice: a plugin's parameter needs another name");

@@ -29,6 +29,7 @@ class JsonReader : public ParameterVisitor {
   const Json* section(std::string_view name);
   /// Throws InputError for a key that was not read, with the nearest known one. Call it last.
   void refuseUnknown() const;
+  [[nodiscard]] bool has(std::string_view name) const;
   [[nodiscard]] std::string pathOf(std::string_view name) const;
 
  protected:

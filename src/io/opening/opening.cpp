@@ -317,7 +317,7 @@ SaidFields saidAfter(SaidFields said, const Session& shown, Session edited,
   if (edited.lightField.layout == Layout::hogels && picture[0] > 0)
     edited.display = completed(edited.display, shown.display, picture);
   sayChanges(said, "lightField", written(shown.lightField), written(edited.lightField));
-  sayChanges(said, "display", writtenDisplay(shown.display), writtenDisplay(edited.display));
+  sayChanges(said, "display", writtenParts(shown.display), writtenParts(edited.display));
   if (typeOf(edited.lightField.layout).isOfTiles || edited.lightField.layout == Layout::lenslets)
     sayGuess(said, edited.lightField);
   return said;

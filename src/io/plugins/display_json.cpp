@@ -57,92 +57,63 @@ int patternOf(const Json& value, const std::string& path) {
   return value.get<int>();
 }
 
-/// A lens sheet's place; its size and field are its calibration's.
-SheetDisplay sheetOf(const Json& object) {
-  for (const char* key : {"size", "fov", "lens"})
-    if (object.contains(key))
-      throw InputError(std::string("display.") + key,
-                       "is for a display of hogels: a lens sheet's calibration says it");
-  const auto calibration = object.find("calibration");
-  if (calibration == object.end())
-    throw InputError("display.calibration", "is missing: name the sheet's visual.json");
-  SheetDisplay sheet;
-  sheet.calibration = readSheet(*calibration, "display.calibration");
-  return sheet;
-}
-
 }  // namespace
 
-SheetCalibration readSheet(const Json& object, const std::string& path) {
-  SheetCalibration calibration;
-  JsonReader reader(object, path);
-  describe(reader, calibration.params);
-  if (const Json* serial = reader.section("serial"); serial != nullptr && serial->is_string())
-    calibration.serial = serial->get<std::string>();
-  if (const Json* cells = reader.section("cells"); cells != nullptr)
-    calibration.cells = cellsOf(*cells, reader.pathOf("cells"));
-  if (const Json* pattern = reader.section("pattern"); pattern != nullptr)
-    calibration.pattern = patternOf(*pattern, reader.pathOf("pattern"));
-  if (const Json* order = reader.section("invView"); order != nullptr)
-    calibration.isInverted = *order == 0;
-  reader.refuseUnknown();
-  try {
-    check(calibration.params);
-  } catch (const InputError& error) {
-    throw InputError((path.empty() ? "" : path + ".") + error.what(), "");
-  }
-  return calibration;
+void describeParts(SectionVisitor& v, SheetCalibration& calibration) {
+  v.value(
+      "serial", !calibration.serial.empty(),
+      [&](const Json& serial, const std::string&) {
+        if (serial.is_string()) calibration.serial = serial.get<std::string>();
+      },
+      [&] { return Json(calibration.serial); });
+  v.fields(calibration.params);
+  const bool hasCells = calibration.cells != SheetCalibration{}.cells;
+  v.value(
+      "cells", hasCells,
+      [&](const Json& cells, const std::string& path) { calibration.cells = cellsOf(cells, path); },
+      [&] { return Json(calibration.cells); });
+  v.value(
+      "pattern", hasCells,
+      [&](const Json& pattern, const std::string& path) {
+        calibration.pattern = patternOf(pattern, path);
+      },
+      [&] { return Json(calibration.pattern); });
+  v.value(
+      "invView", calibration.isInverted,
+      [&](const Json& order, const std::string&) { calibration.isInverted = order == 0; },
+      [] { return Json(0); });
+  v.verify([&] { check(calibration.params); });
 }
 
-Json writtenSheet(const SheetCalibration& calibration) {
-  Json object = Json::object();
-  if (!calibration.serial.empty()) object["serial"] = calibration.serial;
-  object.update(written(calibration.params));
-  if (calibration.cells != SheetCalibration{}.cells) {
-    object["cells"] = calibration.cells;
-    object["pattern"] = calibration.pattern;
+void describeParts(SectionVisitor& v, DisplayParams& params) {
+  bool isSheet = params.sheet.has_value();
+  v.value(
+      "kind", isSheet,
+      [&](const Json& kind, const std::string& path) {
+        if (kind != "hogels" && kind != "sheet")
+          throw InputError(path, valueText(kind) + " is not one of \"hogels\", \"sheet\"");
+        isSheet = kind == "sheet";
+      },
+      [] { return Json("sheet"); });
+  if (isSheet) {
+    if (!params.sheet) params.sheet.emplace();
+    SheetDisplay& sheet = *params.sheet;
+    for (const char* key : {"size", "fov", "lens"})
+      v.refuse(key, "is for a display of hogels: a lens sheet's calibration says it");
+    if (!v.document("calibration", sheet.file, true, [&] { v.parts(sheet.calibration); }))
+      throw InputError("display.calibration", "is missing: name the sheet's visual.json");
+    v.verify([&params] {
+      params.size = LensSheet(*params.sheet).size();
+      params.fov.fill(params.sheet->calibration.params.cone);
+    });
   }
-  if (calibration.isInverted) object["invView"] = 0;
-  return object;
-}
-
-DisplayParams readDisplay(const Json& object) {
-  DisplayParams params;
-  JsonReader reader(object, "display");
-  const auto given = object.is_object() ? object.find("kind") : object.end();
-  const Json kind = given == object.end() ? Json("hogels") : *given;
-  if (kind != "hogels" && kind != "sheet")
-    throw InputError("display.kind", valueText(kind) + " is not one of \"hogels\", \"sheet\"");
-  if (kind == "sheet") {
-    params.sheet = sheetOf(object);
-    params.size = LensSheet(*params.sheet).size();
-    params.fov.fill(params.sheet->calibration.params.cone);
-  }
-  describe(reader, params);
-  (void)reader.section("kind");
-  if (params.sheet) (void)reader.section("calibration");
-  if (params.lens == HogelLensModel::plugin) {
-    if (params.lensSource.empty())
-      throw InputError("display.lensSource", "is missing: name the plugin of the lens");
-    params.lensParams = lensParamsOf(params.lensSource);
-    readSection(reader, params.lensSource.c_str(), params.lensParams);
-  }
-  reader.refuseUnknown();
-  return params;
-}
-
-Json writtenDisplay(const DisplayParams& params) {
-  Json object = Json::object();
-  if (params.sheet) {
-    object["kind"] = "sheet";
-    if (params.sheet->file.empty())
-      object["calibration"] = writtenSheet(params.sheet->calibration);
-    else
-      object["calibration"] = params.sheet->file;
-  }
-  object.update(written(params));
-  if (params.lensParams.isGiven()) object[params.lensSource] = written(params.lensParams);
-  return object;
+  v.fields(params);
+  if (params.lens != HogelLensModel::plugin) return;
+  if (params.lensSource.empty())
+    throw InputError("display.lensSource", "is missing: name the plugin of the lens");
+  if (!params.lensParams.isGiven()) params.lensParams = lensParamsOf(params.lensSource);
+  v.section(params.lensSource, params.lensParams);
+  v.files(params.lensParams);
 }
 
 }  // namespace hogelscope

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The display in JSON documents, whose lens may be a plugin's.
+// The parts of a display in documents, whose lens may be a plugin's.
 #pragma once
 
 #include "core/panel/display.h"
-#include "io/json/json_parameters.h"
+#include "io/json/sections.h"
 
 namespace hogelscope {
 
@@ -15,14 +15,9 @@ LensParams lensParamsOf(const std::string& source);
 /// their defaults. Throws InputError if there is no such plugin or its lens cannot be opened.
 DisplayParams withLensParams(const DisplayParams& before, DisplayParams after);
 
-/// Reads the object `calibration` of a display: the figures, `serial`, `cells` and `pattern`.
-/// Throws InputError with `path`.
-SheetCalibration readSheet(const Json& object, const std::string& path);
-Json writtenSheet(const SheetCalibration& calibration);
-
-/// Reads the object `display`. Throws InputError with the path of the field.
-DisplayParams readDisplay(const Json& object);
-
-Json writtenDisplay(const DisplayParams& params);
+/// Visits a calibration: its figures, `serial`, `cells` and `pattern`.
+void describeParts(SectionVisitor& v, SheetCalibration& calibration);
+/// Visits a display of any kind, its calibration, and its lens's parameters, which a plugin has.
+void describeParts(SectionVisitor& v, DisplayParams& params);
 
 }  // namespace hogelscope

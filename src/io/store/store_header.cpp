@@ -91,8 +91,10 @@ StoreHeader readHeader(const Json& object) {
     throw InputError("overview", "is too large");
   header.type = readType(object);
   header.source = object.at("source").get<std::string>();
-  if (object.contains("display"))
-    header.display = PanelParams{readDisplay(object.at("display")), readDistance(object)};
+  if (object.contains("display")) {
+    header.display = PanelParams{{}, readDistance(object)};
+    readParts(object.at("display"), "display", *header.display);
+  }
   return header;
 }
 
@@ -139,7 +141,7 @@ std::string textOf(const StoreHeader& header) {
   object["overview"] = listOf(header.overview);
   object["source"] = header.source;
   if (header.display) {
-    object["display"] = writtenDisplay(*header.display);
+    object["display"] = writtenParts(*header.display);
     if (const double distance = header.display->viewingDistance; distance > 0)
       object["viewingDistance"] = distance;
   }
