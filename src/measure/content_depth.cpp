@@ -76,19 +76,19 @@ PixelDepths depthsOf(const RenderJob& job, LensTables& tables, const Progress& p
   if (rays.seesNothing()) return result;
   const Vec3 eye = rays.eye(0);
   const Display display(job.display);
-  const bool isLive = job.lightField->depths().has_value();
+  const LiveScene* const scene = job.lightField->scene();
   HogelDepths known;
-  if (!isLive)
+  if (scene == nullptr)
     known = depthsByDisparity(*job.lightField, job.display, directionAtCentre(job.display, eye),
                               part(progress, 0, 0.8));
-  const Progress traced = forThreads(part(progress, isLive ? 0 : 0.8, 1));
+  const Progress traced = forThreads(part(progress, scene != nullptr ? 0 : 0.8, 1));
   std::atomic<int> done = 0;
   parallelRows(height, [&, width = width, height = height](int begin, int end) {
     for (int y = begin; y < end; ++y) {
       const RowRays row = raysOfRow(rays, y, width);
       std::vector<double> z(row.slopes.size());
-      if (isLive)
-        job.lightField->traceDepths(eye, row.slopes, z);
+      if (scene != nullptr)
+        scene->traceDepths(eye, row.slopes, z);
       else
         z = atHogels(known, display, eye, row.slopes);
       const std::size_t first = std::size_t(y) * std::size_t(width);

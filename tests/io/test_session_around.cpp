@@ -224,7 +224,7 @@ class TestSessionAround : public QObject {
     QVERIFY((session.display.hogels == std::array{256, 128}));
     QVERIFY((session.display.directions == std::array{100, 100}));
     const ViewSource scene = loadViewSource(session, {});
-    const std::vector<float> points = scene.lightField->triangles().points;
+    const std::vector<float> points = scene.lightField->scene()->triangles().points;
     const auto s = float(0.1125 * (1 - 0.05 / 0.559));
     const std::vector<float> wanted{-2 * s, -s, 0.05F - 4 * s, 2 * s, -s, 0.05F - 4 * s,
                                     -2 * s, s,  0.05F};
@@ -248,7 +248,7 @@ class TestSessionAround : public QObject {
       const Session session = sessionAround(file("b.obj").toStdString());
       const ViewSource scene = loadViewSource(session, {});
       const Vec3 eye = session.cameras.front().camera.eye;
-      const std::vector<float> points = scene.lightField->triangles().points;
+      const std::vector<float> points = scene.lightField->scene()->triangles().points;
       double filled = 0;
       double back = 9;
       double front = -9;

@@ -91,11 +91,11 @@ LiveSource::LiveSource(std::shared_ptr<const plugin::ContentSource> content,
   }
 }
 
-std::optional<std::array<double, 2>> LiveSource::depths() const {
+std::array<double, 2> LiveSource::depths() const {
   double back = 0;
   double front = 0;
   m_content->depths(back, front);
-  return std::array{std::max(back, m_live.depth[0]), std::min(front, m_live.depth[1])};
+  return {std::max(back, m_live.depth[0]), std::min(front, m_live.depth[1])};
 }
 
 /// The texels to be traced, and memory for their light.

@@ -16,7 +16,7 @@
 
 namespace hogelscope {
 
-class LiveSource : public LightFieldSource {
+class LiveSource : public LightFieldSource, public LiveScene {
  public:
   /// `display` must have its hogels and directions, and `content` must be open for it. slice()
   /// allocates at most `memory` bytes for texels.
@@ -32,9 +32,9 @@ class LiveSource : public LightFieldSource {
                                                         const Progress& progress) const override;
   /// Traces at most 64×64 hogels of 16×16 directions of the same panel, by their middle rays.
   [[nodiscard]] std::shared_ptr<const LightField> overview() const override;
+  [[nodiscard]] const LiveScene* scene() const override { return this; }
   [[nodiscard]] plugin::Triangles triangles() const override { return m_content->triangles(); }
-  /// Returns what of them is traced.
-  [[nodiscard]] std::optional<std::array<double, 2>> depths() const override;
+  [[nodiscard]] std::array<double, 2> depths() const override;
   void trace(const Vec3& eye, std::span<const Vec2> slopes, std::span<Rgb> light) const override;
   void traceRays(std::span<const PanelRay> rays, std::span<Rgb> light) const override;
   void traceDepths(const Vec3& eye, std::span<const Vec2> slopes,

@@ -101,8 +101,9 @@ std::optional<double> sharpestFocus(const RenderJob& job, int x, int y, LensTabl
   const std::optional<Vec2> ideal =
       idealPoint(Distortion(job.state.distortion), job.sampling.mapping, camera.normalised(x, y));
   if (!ideal) return std::nullopt;
-  if (const plugin::Triangles scene = job.lightField->triangles(); !scene.corners.empty())
-    return depthOf(scene, job, *ideal);
+  const LiveScene* const scene = job.lightField->scene();
+  const plugin::Triangles triangles = scene != nullptr ? scene->triangles() : plugin::Triangles();
+  if (!triangles.corners.empty()) return depthOf(triangles, job, *ideal);
   constexpr int reach = 7;
   constexpr int steps = 24;
   const double panel = axisDistance(job.state.camera, job.display);

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <atomic>
 
+#include "core/base/error.h"
+
 namespace hogelscope {
 
 namespace {
@@ -18,11 +20,17 @@ constexpr std::size_t placeOf(int column, int row) {
   return std::size_t(row) * stripWidth + std::size_t(column);
 }
 
+const LiveScene& sceneOf(const RenderJob& job) {
+  const LiveScene* const scene = job.lightField->scene();
+  if (scene == nullptr) throw InputError("lightField.layout", noIdealView);
+  return *scene;
+}
+
 class IdealView {
  public:
   IdealView(const RenderJob& job, LensTables& tables, const ParallelRows& parallelRows,
             const Progress& progress)
-      : m_rays(job, tables, parallelRows, progress) {}
+      : m_rays(job, tables, parallelRows, progress), m_scene(sceneOf(m_rays.job())) {}
 
   /// Renders pixels [x0, x1) of rows [y0, y1).
   void render(int x0, int x1, int y0, int y1, FloatImage& image) const;
@@ -36,6 +44,7 @@ class IdealView {
   [[nodiscard]] Rays raysOf(int x0, int x1, int y0, int y1, const RaySample& sample) const;
 
   ViewRays m_rays;
+  const LiveScene& m_scene;
 };
 
 IdealView::Rays IdealView::raysOf(int x0, int x1, int y0, int y1, const RaySample& sample) const {
@@ -64,7 +73,7 @@ void IdealView::render(int x0, int x1, int y0, int y1, FloatImage& image) const 
     for (const RaySample& sample : m_rays.samplesFrom(point)) {
       const Rays rays = raysOf(x0, x1, y0, y1, sample);
       std::vector<Rgb> colours(rays.slopes.size());
-      job.lightField->trace(m_rays.eye(point), rays.slopes, colours);
+      m_scene.trace(m_rays.eye(point), rays.slopes, colours);
       for (std::size_t k = 0; k < colours.size(); ++k) {
         Rgb& sum = ofPoint[rays.places[k]];
         sum = sum + decoded(light, colours[k]);

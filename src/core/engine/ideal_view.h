@@ -10,7 +10,7 @@ namespace hogelscope {
 
 /// Renders the ideal view with the lens, the samples and the resolution of the view. A pixel is
 /// seen exactly if it is seen in the view of the display as designed. Throws InputError as ViewRays
-/// and LightFieldSource::trace() do, and Cancelled.
+/// and LiveScene::trace() do, for a light field that is not live, and Cancelled.
 FloatImage renderIdeal(const RenderJob& job, LensTables& tables, const ParallelRows& parallelRows,
                        const Progress& progress = {});
 

@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "core/base/error.h"
-
 #include "core/light_field/light_field.h"
 
 namespace hogelscope {
@@ -29,21 +27,6 @@ Rgb LightFieldSource::texel(const TexelIndex& at) const {
     return one;
   };
   return slice({footprint, {}}, {})->texel(at);
-}
-
-void LightFieldSource::traceRays(std::span<const PanelRay> /*rays*/,
-                                 std::span<Rgb> /*light*/) const {
-  throw InputError("lightField.layout", noIdealView);
-}
-
-void LightFieldSource::trace(const Vec3& /*eye*/, std::span<const Vec2> /*slopes*/,
-                             std::span<Rgb> /*light*/) const {
-  throw InputError("lightField.layout", noIdealView);
-}
-
-void LightFieldSource::traceDepths(const Vec3& /*eye*/, std::span<const Vec2> /*slopes*/,
-                                   std::span<double> /*depths*/) const {
-  throw InputError("lightField.layout", noIdealView);
 }
 
 std::shared_ptr<const LightField> StreamedLightField::slice(const ViewReads& /*reads*/,

@@ -2,31 +2,20 @@
 // The interface of content: the source of the directional pixels of views.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <functional>
 #include <memory>
-#include <optional>
-#include <span>
 #include <vector>
 
-#include "core/base/geometry.h"
 #include "core/base/progress.h"
 #include "core/light_field/footprint.h"
+#include "core/light_field/live_scene.h"
 #include "core/light_field/slice_layout.h"
 #include "core/light_field/texel.h"
-#include "sdk/hogelscope/plugin.h"
 
 namespace hogelscope {
 
 class LightField;
-
-/// A ray of light in the display frame: its point on the panel (metres) and its slopes dx/dz, dy/dz
-/// toward the viewer.
-struct PanelRay {
-  Vec2 position;
-  Vec2 slopes;
-};
 
 /// The texels that a view reads. Both functions cast all of its rays.
 struct ViewReads {
@@ -39,9 +28,6 @@ struct ViewReads {
 /// Returns the reads of all texels with these j, u and v.
 ViewReads readsOfRows(const LightFieldSize& size, const CellRange& j, const CellRange& u,
                       const CellRange& v);
-
-/// What is wrong with "lightField.layout" where an ideal view is wanted of what is not live.
-inline constexpr const char* noIdealView = "is not \"live\": only a 3-D scene has an ideal view";
 
 /// A light field in memory, in a store, or computed on demand. All functions may be
 /// called from several threads at the same time.
@@ -66,29 +52,8 @@ class LightFieldSource {
   /// Whether slice() gives the whole light field, at no cost: texels may then be copied unsummed.
   [[nodiscard]] virtual bool isInMemory() const { return false; }
 
-  /// Computes the light that an eye receives from the scene itself, without a display, along slopes
-  /// dx/dz, dy/dz. The eye is in the display frame, in metres; the spans have one size. May be
-  /// called from several threads. Throws InputError for content that is not a live scene.
-  virtual void trace(const Vec3& eye, std::span<const Vec2> slopes, std::span<Rgb> light) const;
-
-  /// Computes the light of a live scene along rays that leave the panel as texels' do. Throws
-  /// likewise.
-  virtual void traceRays(std::span<const PanelRay> rays, std::span<Rgb> light) const;
-
-  /// Finds the depths z (display frame, metres) of what trace() sees; NaN for a ray that meets
-  /// nothing. Content that does not know its depths is cut at ever more of them, and the depth is
-  /// where the light becomes that of the whole content: to a thousandth of the content's range, and
-  /// NaN where content has the background's colour. Throws likewise.
-  virtual void traceDepths(const Vec3& eye, std::span<const Vec2> slopes,
-                           std::span<double> depths) const;
-
-  /// Returns the triangles that the 3-D scene draws for a live scene; none for other light fields.
-  /// Throws InputError.
-  [[nodiscard]] virtual plugin::Triangles triangles() const { return {}; }
-
-  /// Returns the depths of a live scene's content in the display frame, in metres, the back one
-  /// first; none for other light fields.
-  [[nodiscard]] virtual std::optional<std::array<double, 2>> depths() const { return {}; }
+  /// Returns the scene of a live light field, which lives as long as this; null for a stored one.
+  [[nodiscard]] virtual const LiveScene* scene() const { return nullptr; }
 
   /// Returns one texel; the index must lie in the light field. Throws InputError.
   [[nodiscard]] virtual Rgb texel(const TexelIndex& at) const;

@@ -112,10 +112,12 @@ DesignNumbersWidget::~DesignNumbersWidget() = default;
 
 void DesignNumbersWidget::setSource(const std::optional<ViewSource>& source) {
   m_known = source ? DisplayParams(source->display) : DisplayParams();
+  m_bar->content.reset();
+  const LiveScene* const scene = source ? source->lightField->scene() : nullptr;
   try {
-    m_bar->content = source ? source->lightField->depths() : std::nullopt;
+    if (scene != nullptr) m_bar->content = scene->depths();
   } catch (const std::exception&) {
-    m_bar->content.reset();  // a plugin that cannot tell its depths says so when a view is traced
+    // a plugin that cannot tell its depths says so when a view is traced
   }
   showNumbers();
 }

@@ -191,7 +191,8 @@ void SceneOutput::exportTo(const QString& file) {
   }
   m_task->start([this, parts, current, panel, file](const Progress& progress) mutable {
     parts.panelImage = imageOf(panel, progress);
-    if (current) parts.mesh = toVtkMesh(current->lightField->triangles());
+    const LiveScene* const live = current ? current->lightField->scene() : nullptr;
+    if (live != nullptr) parts.mesh = toVtkMesh(live->triangles());
     exportScene(file.toStdString(), parts);
     return [this, file] { finish(file); };
   });

@@ -106,10 +106,12 @@ void SceneWorker::makeMesh() {
   if (!m_scene) return;
   if (m_meshOf.lock() != m_scene->lightField) {
     m_meshOf = m_scene->lightField;
+    m_mesh = nullptr;
+    const LiveScene* const live = m_scene->lightField->scene();
     try {
-      m_mesh = toVtkMesh(m_scene->lightField->triangles());
+      if (live != nullptr) m_mesh = toVtkMesh(live->triangles());
     } catch (const std::exception&) {
-      m_mesh = nullptr;  // a plugin's error; the simulated view still works
+      // a plugin's error; the simulated view still works
     }
   }
   queueAnswer(this, m_asked, m_number, [this, mesh = m_mesh] { Q_EMIT meshMade(mesh); });

@@ -12,7 +12,6 @@
 
 #include "core/base/error.h"
 #include "core/base/parallel.h"
-#include "core/content/live_source.h"
 #include "core/engine/plan_words.h"
 #include "core/engine/scaled_view.h"
 #include "gui/widgets/task.h"
@@ -64,7 +63,7 @@ int withFewerSamples(RenderJob& view, int scale) {
 /// texel is expensive after every edit, it has no leakage, which reads the most texels.
 RenderJob viewOf(const ViewSource& source, const CameraState& state,
                  const std::optional<NamedMethod>& method, int scale) {
-  const bool isLive = dynamic_cast<const LiveSource*>(source.lightField.get()) != nullptr;
+  const bool isLive = source.lightField->scene() != nullptr;
   if (scale > 1 && !source.isIdeal && !source.lightField->isInMemory() && !isLive)
     return overview(viewOf(source, state, method, 1));
   RenderJob view = method ? applyMethod(*method, source.job(state)) : source.job(state);
@@ -168,8 +167,8 @@ void ViewWorker::loadNow(const Session& session) {
     return;
   }
   m_readShare = 1;
-  const bool isLive = session.lightField.isLive();
-  if (!isLive && !m_source->lightField->isInMemory()) m_pace.stopped(firstFetch);
+  const LightFieldSource& read = *m_source->lightField;
+  if (read.scene() == nullptr && !read.isInMemory()) m_pace.stopped(firstFetch);
   send([this, source = *m_source] { Q_EMIT loaded(source); });
 }
 

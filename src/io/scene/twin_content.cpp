@@ -46,7 +46,7 @@ std::vector<Rgb> TwinContent::lightAlong(const LightFieldSource& source,
                                          const std::vector<PanelRay>& rays) const {
   std::vector<Rgb> light(rays.size());
   if (m_isLive) {
-    source.traceRays(rays, light);
+    source.scene()->traceRays(rays, light);
     return light;
   }
   const auto [nx, ny, du, dv] = size();

@@ -28,21 +28,7 @@ class WovenScene : public LightFieldSource {
     return m_panel->overview();
   }
   [[nodiscard]] bool isInMemory() const override { return true; }
-  [[nodiscard]] Rgb texel(const TexelIndex& at) const override { return m_panel->texel(at); }
-  [[nodiscard]] plugin::Triangles triangles() const override { return m_scene->triangles(); }
-  [[nodiscard]] std::optional<std::array<double, 2>> depths() const override {
-    return m_scene->depths();
-  }
-  void trace(const Vec3& eye, std::span<const Vec2> slopes, std::span<Rgb> light) const override {
-    m_scene->trace(eye, slopes, light);
-  }
-  void traceRays(std::span<const PanelRay> rays, std::span<Rgb> light) const override {
-    m_scene->traceRays(rays, light);
-  }
-  void traceDepths(const Vec3& eye, std::span<const Vec2> slopes,
-                   std::span<double> depths) const override {
-    m_scene->traceDepths(eye, slopes, depths);
-  }
+  [[nodiscard]] const LiveScene* scene() const override { return m_scene->scene(); }
 
  private:
   std::shared_ptr<const LightFieldSource> m_panel;
