@@ -20,39 +20,28 @@ std::string stateOf(const std::vector<std::filesystem::path>& files) {
 }
 
 /// A file that one thread at a time reads, since decoders have a state.
-class SharedFile : public LightFieldFile {
+class SharedFile : public WrappedFile {
  public:
-  explicit SharedFile(std::shared_ptr<LightFieldFile> file) : m_file(std::move(file)) {}
+  using WrappedFile::WrappedFile;
 
-  [[nodiscard]] LightFieldSize size() const override { return m_file->size(); }
-  [[nodiscard]] std::vector<std::filesystem::path> files() const override {
-    return m_file->files();
-  }
-  [[nodiscard]] StoredType type() const override { return m_file->type(); }
-  [[nodiscard]] int bits() const override { return m_file->bits(); }
-  [[nodiscard]] std::vector<std::string> warnings() const override { return m_file->warnings(); }
-  [[nodiscard]] std::string cutWarning(const CameraState& state) const override {
-    return m_file->cutWarning(state);
-  }
-  [[nodiscard]] std::string contentHash() const override { return m_file->contentHash(); }
-  [[nodiscard]] bool isStream() const override { return m_file->isStream(); }
+  [[nodiscard]] std::string contentHash() const override { return content().contentHash(); }
+  [[nodiscard]] bool isStream() const override { return content().isStream(); }
 
   [[nodiscard]] LightField read(const Progress& progress) override {
     const auto lock = lockFor(m_mutex, progress);
-    return m_file->read(progress);
+    return content().read(progress);
   }
   [[nodiscard]] std::shared_ptr<const LightFieldSource> source(const SourceUse& use,
                                                                const Progress& progress) override {
     const auto lock = lockFor(m_mutex, progress);
-    return m_file->source(use, progress);
+    return content().source(use, progress);
   }
   void stream(const HogelRow& row, const Progress& progress) override {
     const auto lock = lockFor(m_mutex, progress);
-    m_file->stream(row, progress);
+    content().stream(row, progress);
   }
 
  private:
-  std::shared_ptr<LightFieldFile> m_file;
   std::timed_mutex m_mutex;
 };
 

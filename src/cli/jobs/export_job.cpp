@@ -71,7 +71,7 @@ std::shared_ptr<LightFieldFile> contentToExport(const Session& session, const Co
   if (!twin)
     throw InputError("command line", "--for-twin",
                      "needs a unit: --twin FILE, or a session with a twin");
-  return std::make_shared<TwinContent>(file, session.lightField.isLive(), display, twin);
+  return std::make_shared<TwinContent>(file, display, twin);
 }
 
 }  // namespace

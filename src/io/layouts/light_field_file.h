@@ -63,6 +63,33 @@ class LightFieldFile {
                                         const std::string& advice, const Progress& progress);
 };
 
+/// A light field made of that of another file, which says all that a derived class does not.
+class WrappedFile : public LightFieldFile {
+ public:
+  explicit WrappedFile(std::shared_ptr<LightFieldFile> content) : m_content(std::move(content)) {}
+
+  [[nodiscard]] LightFieldSize size() const override { return m_content->size(); }
+  [[nodiscard]] std::vector<std::filesystem::path> files() const override {
+    return m_content->files();
+  }
+  [[nodiscard]] StoredType type() const override { return m_content->type(); }
+  [[nodiscard]] int bits() const override { return m_content->bits(); }
+  [[nodiscard]] std::vector<std::string> warnings() const override { return m_content->warnings(); }
+  [[nodiscard]] std::string cutWarning(const CameraState& state) const override {
+    return m_content->cutWarning(state);
+  }
+  /// Reads the light field by stream().
+  [[nodiscard]] LightField read(const Progress& progress) override {
+    return readStreamed(files().empty() ? "" : files().front(), "", progress);
+  }
+
+ protected:
+  [[nodiscard]] LightFieldFile& content() const { return *m_content; }
+
+ private:
+  std::shared_ptr<LightFieldFile> m_content;
+};
+
 /// Whether the whole light field takes at most `memory` bytes.
 bool fitsInMemory(const LightFieldFile& file, std::size_t memory);
 

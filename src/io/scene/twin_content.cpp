@@ -29,24 +29,19 @@ int cellOf(double index, int count) {
 
 }  // namespace
 
-TwinContent::TwinContent(std::shared_ptr<LightFieldFile> content, bool isLive,
-                         const PanelParams& display, std::shared_ptr<const Twin> twin)
-    : m_content(std::move(content)),
-      m_isLive(isLive),
+TwinContent::TwinContent(std::shared_ptr<LightFieldFile> content, const PanelParams& display,
+                         std::shared_ptr<const Twin> twin)
+    : WrappedFile(std::move(content)),
       m_design(display),
       m_twin(std::move(twin)),
       m_leastGain(m_twin->leastGain()) {}
-
-LightField TwinContent::read(const Progress& progress) {
-  return readStreamed(files().empty() ? "" : files().front(), "", progress);
-}
 
 /// Returns the light along rays: of the scene, or of the texels of the design that send it.
 std::vector<Rgb> TwinContent::lightAlong(const LightFieldSource& source,
                                          const std::vector<PanelRay>& rays) const {
   std::vector<Rgb> light(rays.size());
-  if (m_isLive) {
-    source.scene()->traceRays(rays, light);
+  if (const LiveScene* const scene = source.scene()) {
+    scene->traceRays(rays, light);
     return light;
   }
   const auto [nx, ny, du, dv] = size();
@@ -101,8 +96,8 @@ std::vector<Rgb> TwinContent::lightOf(const LightFieldSource& source, int j, int
 
 void TwinContent::stream(const HogelRow& row, const Progress& progress) {
   const std::shared_ptr<const LightFieldSource> source =
-      m_content->source({}, part(progress, 0, m_isLive ? 0 : 0.2));
-  const Progress rest = part(progress, m_isLive ? 0 : 0.2, 1);
+      content().source({}, part(progress, 0, 0.2));
+  const Progress rest = part(progress, source->isInMemory() ? 0.2 : 0, 1);
   const auto [nx, ny, du, dv] = size();
   withStoredType(type(), [&, ny = ny, dv = dv](auto zero) {
     using T = decltype(zero);

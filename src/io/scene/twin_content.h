@@ -12,20 +12,12 @@ namespace hogelscope {
 /// content is live, else that of the texel that the display as designed sends there. Each texel is
 /// divided by its hogel's gain, with the dimmest hogel that is not dark as white. Light outside the
 /// display's field is that of its border.
-class TwinContent : public LightFieldFile {
+class TwinContent : public WrappedFile {
  public:
   /// `display` has its hogels and directions.
-  TwinContent(std::shared_ptr<LightFieldFile> content, bool isLive, const PanelParams& display,
+  TwinContent(std::shared_ptr<LightFieldFile> content, const PanelParams& display,
               std::shared_ptr<const Twin> twin);
 
-  [[nodiscard]] LightFieldSize size() const override { return m_content->size(); }
-  [[nodiscard]] std::vector<std::filesystem::path> files() const override {
-    return m_content->files();
-  }
-  [[nodiscard]] StoredType type() const override { return m_content->type(); }
-  [[nodiscard]] int bits() const override { return m_content->bits(); }
-  [[nodiscard]] std::vector<std::string> warnings() const override { return m_content->warnings(); }
-  [[nodiscard]] LightField read(const Progress& progress) override;
   void stream(const HogelRow& row, const Progress& progress) override;
 
  private:
@@ -34,8 +26,6 @@ class TwinContent : public LightFieldFile {
                                             const std::vector<PanelRay>& rays) const;
   void divideByGain(int j, std::vector<Rgb>& light) const;
 
-  std::shared_ptr<LightFieldFile> m_content;
-  bool m_isLive;
   Display m_design;
   std::shared_ptr<const Twin> m_twin;
   double m_leastGain;

@@ -38,8 +38,8 @@ class WovenScene : public LightFieldSource {
 }  // namespace
 
 WovenFile::WovenFile(std::unique_ptr<LightFieldFile> views, LensSheet sheet, bool isLive)
-    : m_views(std::move(views)), m_sheet(std::move(sheet)), m_isLive(isLive) {
-  const LightFieldSize size = m_views->size();
+    : WrappedFile(std::move(views)), m_sheet(std::move(sheet)), m_isLive(isLive) {
+  const LightFieldSize size = content().size();
   if (size.dv != 1)
     throw InputError("lightField", "has " + pairText(size.du, size.dv) +
                                        " views, but a lens sheet shows one row of them");
@@ -54,16 +54,12 @@ std::shared_ptr<const LightFieldSource> WovenFile::source(const SourceUse& use,
                                                           const Progress& progress) {
   auto panel = LightFieldFile::source(use, progress);
   if (!m_isLive) return panel;
-  return std::make_shared<const WovenScene>(std::move(panel), m_views->source(use, {}));
-}
-
-LightField WovenFile::read(const Progress& progress) {
-  return readStreamed(files().empty() ? "" : files().front(), "", progress);
+  return std::make_shared<const WovenScene>(std::move(panel), content().source(use, {}));
 }
 
 void WovenFile::stream(const HogelRow& row, const Progress& progress) {
   constexpr double reading = 0.5;
-  const LightField views = m_views->read(part(progress, 0, reading));
+  const LightField views = content().read(part(progress, 0, reading));
   const Progress weaving = part(progress, reading, 1);
   const auto [width, height, one, other] = size();
   const auto [across, down, count, rows] = views.size();

@@ -9,30 +9,19 @@ namespace hogelscope {
 
 /// A light field whose hogels are the panel's pixels, with one direction: each sub-pixel has the
 /// view that it shows (LensSheet::viewOf), at the pixel's middle.
-class WovenFile : public LightFieldFile {
+class WovenFile : public WrappedFile {
  public:
   /// `views` has one row of views; they are of a live scene if `isLive`. Throws InputError for
   /// others.
   WovenFile(std::unique_ptr<LightFieldFile> views, LensSheet sheet, bool isLive);
 
   [[nodiscard]] LightFieldSize size() const override;
-  [[nodiscard]] std::vector<std::filesystem::path> files() const override {
-    return m_views->files();
-  }
-  [[nodiscard]] StoredType type() const override { return m_views->type(); }
-  [[nodiscard]] int bits() const override { return m_views->bits(); }
-  [[nodiscard]] std::vector<std::string> warnings() const override { return m_views->warnings(); }
-  [[nodiscard]] std::string cutWarning(const CameraState& state) const override {
-    return m_views->cutWarning(state);
-  }
   /// Returns the panel in memory, and the scene behind it if that is live.
   [[nodiscard]] std::shared_ptr<const LightFieldSource> source(const SourceUse& use,
                                                                const Progress& progress) override;
-  [[nodiscard]] LightField read(const Progress& progress) override;
   void stream(const HogelRow& row, const Progress& progress) override;
 
  private:
-  std::unique_ptr<LightFieldFile> m_views;
   LensSheet m_sheet;
   bool m_isLive;
 };
