@@ -69,13 +69,10 @@ class Views {
  public:
   Views(const Session& session, const Progress& progress)
       : m_states(withEyes(session).cameras), m_source(loadViewSource(session, progress)) {}
-  /// Takes the light field of other views, whose session reads the same.
+  /// Takes the light field of other views, which outlive these and whose session reads the same.
   Views(const Session& session, const Views& other)
-      : m_states(withEyes(session).cameras), m_source(other.m_source) {
-    m_source.display = resolved(displayOf(session), m_source.lightField->size());
-    m_source.sampling = session.sampling;
-    m_source.twin = twinOf(session.twin, m_source.display);
-  }
+      : m_states(withEyes(session).cameras),
+        m_source(viewSourceOf(session, other.m_source.lightField)) {}
 
   [[nodiscard]] std::size_t count() const { return m_states.size(); }
   [[nodiscard]] Image render(std::size_t state, bool isIdeal, const Progress& progress) {

@@ -123,14 +123,11 @@ RenderedViews SessionViews::render(const RenderRequest& request, const Progress&
   RenderedViews result;
   for (const auto& input : filesOf(session, file)) result.inputs.push_back(input.string());
   const Progress reading = part(progress, 0.1, 0.5);
-  const auto inMemory = [&] {
-    ViewSource source{content->source(reading), display, session.sampling, request.isIdeal};
-    source.twin = twinOf(session.twin, display);
-    return source;
-  };
-  StateImages images = mustStream(file, allowedMemory())
-                           ? StateImages(session, file, session.cameras, {}, reading)
-                           : StateImages(inMemory(), session.cameras);
+  StateImages images =
+      mustStream(file, allowedMemory())
+          ? StateImages(session, file, session.cameras, {}, reading)
+          : StateImages(viewSourceOf(session, content->source(reading)), session.cameras);
+  if (request.isIdeal) images.showIdeal();
   const auto count = double(session.cameras.size());
   for (std::size_t k = 0; k < session.cameras.size(); ++k)
     result.views.push_back(renderOne(

@@ -38,6 +38,7 @@ class TestViewWorker : public QObject {
   void initTestCase() {
     m_session = loadSession(HOGELSCOPE_SOURCE_DIR "/tests/data/table1.json");
     m_session.cameras.resize(1);
+    m_source = loadViewSource(m_session, {});
   }
 
   void picturesOfTheLastSecond() {
@@ -112,10 +113,11 @@ class TestViewWorker : public QObject {
 
  private:
   [[nodiscard]] ViewRequest request(const CameraState& state) const {
-    return {state, displayOf(m_session), m_session.sampling, nullptr, {}, {}};
+    return {state, m_source, {}, {}};
   }
 
   Session m_session;
+  ViewSource m_source;
 };
 
 QTEST_GUILESS_MAIN(TestViewWorker)

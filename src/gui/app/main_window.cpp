@@ -320,8 +320,7 @@ void MainWindow::connectLoader() {
 
 void MainWindow::render() {
   if (!m_loader->isReady()) return;  // showScene() renders
-  m_worker->render({m_player->shown(), m_loader->source()->display, m_model->session().sampling,
-                    m_loader->source()->twin, m_method, m_imageCommands->other(),
+  m_worker->render({m_player->shown(), *m_loader->source(), m_method, m_imageCommands->other(),
                     m_imageCommands->asksWhy(), m_imageCommands->eyes()});
 }
 

@@ -139,7 +139,7 @@ void ViewWorker::serve(LatestWins::Lock& lock) {
   lock.unlock();
   try {
     if (session) loadNow(*session);
-    if (request && m_source) {
+    if (request) {
       renderNow(*request);
       if (!hasNewer(false)) certifyNow(*request);
     }
@@ -152,12 +152,12 @@ void ViewWorker::serve(LatestWins::Lock& lock) {
 }
 
 void ViewWorker::loadNow(const Session& session) {
-  m_source.reset();  // frees the old one's memory before the new one is read
-  m_lens.reset();    // its result may have been dropped
+  m_lens.reset();  // its result may have been dropped
   Session designed = session;
   designed.twin = {};  // which comes with each request
+  ViewSource source;
   try {
-    m_source = loadViewSource(designed, [this](double done) {
+    source = loadViewSource(designed, [this](double done) {
       if (hasNewer(true)) return false;  // the share belongs to the newer request now
       m_readShare = done;
       return true;
@@ -167,9 +167,9 @@ void ViewWorker::loadNow(const Session& session) {
     return;
   }
   m_readShare = 1;
-  const LightFieldSource& read = *m_source->lightField;
+  const LightFieldSource& read = *source.lightField;
   if (read.scene() == nullptr && !read.isInMemory()) m_pace.stopped(firstFetch);
-  send([this, source = *m_source] { Q_EMIT loaded(source); });
+  send([this, source] { Q_EMIT loaded(source); });
 }
 
 /// Renders a view. A coarse image is finished even if newer requests arrive, so that the view keeps
@@ -221,17 +221,13 @@ void ViewWorker::renderAt(int scale, double patience, const ViewRequest& request
   m_patience = patience;
   m_timer.start();
   RenderedView result;
-  ViewSource source = *m_source;
-  source.display = resolved(request.display, source.lightField->size());
-  source.sampling = request.sampling;
-  source.twin = request.twin;
   try {
     if (request.other) {
       const Shown other = renderEyes(*request.other, scale, request);
       result.otherImage = other.image;
       result.otherSeen = other.seen;
     }
-    const Shown own = renderEyes(source, scale, request);
+    const Shown own = renderEyes(request.source, scale, request);
     result.image = own.image;
     result.seen = own.seen;
   } catch (const Cancelled&) {
@@ -241,7 +237,7 @@ void ViewWorker::renderAt(int scale, double patience, const ViewRequest& request
   result.milliseconds = elapsed();
   m_pace.rendered(scale, result.milliseconds);
   const RenderJob& made = m_filter->GetJob();
-  result.isOverview = made.lightField != source.lightField;
+  result.isOverview = made.lightField != request.source.lightField;
   if (scale > 1 && made.state.pupil.samples != request.state.pupil.samples)
     result.samples = made.state.pupil.samples;
   result.scale = result.samples > 0 ? made.method.scale : scale;
@@ -250,7 +246,7 @@ void ViewWorker::renderAt(int scale, double patience, const ViewRequest& request
 }
 
 void ViewWorker::certifyNow(const ViewRequest& request) {
-  const LensKey key = lensKeyOf(request.state, request.sampling);
+  const LensKey key = lensKeyOf(request.state, request.source.sampling);
   if (key == m_lens) return;
   const Progress progress = [this](double) { return !hasNewer(false); };
   const CertifiedLens lens{key, certify(key, parallelRows, progress), lensGrid(key, progress)};

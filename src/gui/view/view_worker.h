@@ -48,9 +48,7 @@ struct CertifiedLens {
 /// The view to render.
 struct ViewRequest {
   CameraState state;
-  PanelParams display;
-  SamplingParams sampling;
-  std::shared_ptr<const Twin> twin;   ///< null: the display as designed
+  ViewSource source;
   std::optional<NamedMethod> method;  ///< none: the session's own
   std::optional<ViewSource> other;    ///< the second light field
   bool asksWhy = false;               ///< why pixels are not seen
@@ -67,14 +65,13 @@ class ViewWorker : public QObject {
 
   /// Reads the session's light field and stops an older reading.
   void load(const Session& session);
-  /// Stops reading. There is no light field until the next load().
+  /// Stops reading.
   void stopReading();
   /// Returns the share that has been read, 0 … 1. It is polled, because signals of each step would
   /// arrive faster than a busy window can process them.
   [[nodiscard]] double readShare() const { return m_readShare; }
-  /// Renders once the light field has been read, and not at all if that failed; stops an older
-  /// rendering. A slow view starts with a coarse image; the full one follows when no newer request
-  /// arrives for a moment.
+  /// Stops an older rendering. A slow view starts with a coarse image; the full one follows when no
+  /// newer request arrives for a moment.
   void render(const ViewRequest& request);
 
  Q_SIGNALS:
@@ -109,7 +106,6 @@ class ViewWorker : public QObject {
   std::atomic<double> m_readShare = 0;
 
   int m_number = 0;  ///< the number of the load() that is served; the thread's own, as all below
-  std::optional<ViewSource> m_source;
   std::optional<LensKey> m_lens;  ///< the one certified last
   ViewPace m_pace;
   QElapsedTimer m_timer;  ///< since the rendering started

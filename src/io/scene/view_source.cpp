@@ -180,11 +180,20 @@ std::shared_ptr<const Twin> twinOf(const TwinParams& params, const PanelParams& 
                                       display, stop);
 }
 
+ViewSource viewSourceOf(const Session& session, std::shared_ptr<const LightFieldSource> lightField,
+                        const Progress& progress) {
+  ViewSource source;
+  source.lightField = std::move(lightField);
+  source.display = resolved(displayOf(session), source.lightField->size());
+  source.sampling = session.sampling;
+  source.twin = twinOf(session.twin, source.display, nullptr, progress);
+  return source;
+}
+
 ViewSource unloadedViewSource(const Session& session, const LightFieldFile& file) {
-  ViewSource source{std::make_shared<const StreamedLightField>(file.size(), file.type()),
-                    resolved(displayOf(session), file.size()), session.sampling, false};
+  ViewSource source =
+      viewSourceOf(session, std::make_shared<const StreamedLightField>(file.size(), file.type()));
   source.sampling.tolerance = 0;
-  source.twin = twinOf(session.twin, source.display);
   source.files = std::make_shared<const FilesInUse>(filesOf(session, file));
   return source;
 }
@@ -200,11 +209,10 @@ ViewSource loadViewSource(const Session& session, const Progress& progress, cons
 
 ViewSource loadViewSource(const Session& session, LightFieldFile& file, const Progress& progress,
                           const SourceUse& use) {
-  const PanelParams display = resolved(displayOf(session), file.size());
-  // Before the light field is read.
-  auto twin = twinOf(session.twin, display, nullptr, progress);
-  ViewSource source{file.source(use, progress), display, session.sampling};
-  source.twin = std::move(twin);
+  // The twin's maps, and what is wrong with them, come before the light field is read.
+  ViewSource source = viewSourceOf(
+      session, std::make_shared<const StreamedLightField>(file.size(), file.type()), progress);
+  source.lightField = file.source(use, progress);
   source.files = std::make_shared<const FilesInUse>(filesOf(session, file));
   return source;
 }

@@ -38,20 +38,15 @@ std::unique_ptr<LightFieldFile> openUnwoven(const LightFieldParams& params,
 /// if it is not known, as of a panel's picture.
 int viewsOnSheet(const Session& session);
 
-/// The common part of the views of a session's states, read once and shared.
-struct ViewSource {
-  std::shared_ptr<const LightFieldSource> lightField;
-  PanelParams display;  ///< resolved
-  SamplingParams sampling;
-  bool isIdeal = false;                   ///< its views are ideal views
-  int bits = 8;                           ///< bits of its views' values
-  bool keepsUnrounded = false;            ///< its views have their unrounded values too
-  std::shared_ptr<const Twin> twin = {};  ///< the unit that they see; null: the design
+/// The common part of the views of a session's states, read once and shared: a job without a state.
+struct ViewSource : RenderJob {
   /// The session's files: nothing replaces them while views are made of them.
-  std::shared_ptr<const FilesInUse> files = {};
+  std::shared_ptr<const FilesInUse> files;
 
-  [[nodiscard]] RenderJob job(const CameraState& state) const {
-    return {lightField, display, sampling, state, {}, isIdeal, bits, keepsUnrounded, twin};
+  [[nodiscard]] RenderJob job(const CameraState& ofView) const {
+    RenderJob job = *this;
+    job.state = ofView;
+    return job;
   }
 };
 
@@ -61,6 +56,11 @@ struct ViewSource {
 std::shared_ptr<const Twin> twinOf(const TwinParams& params, const PanelParams& display,
                                    std::vector<std::string>* warnings = nullptr,
                                    const Progress& progress = {});
+
+/// Returns the source of a session's views of a light field, without `files`. Throws InputError as
+/// resolved() and twinOf(), and Cancelled.
+ViewSource viewSourceOf(const Session& session, std::shared_ptr<const LightFieldSource> lightField,
+                        const Progress& progress = {});
 
 /// Reads the session's light field, or opens it if it is a store that is larger than `use.memory`
 /// bytes, or a live scene. Throws InputError, or Cancelled.
