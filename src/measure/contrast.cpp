@@ -8,6 +8,7 @@
 #include <limits>
 #include <numbers>
 
+#include "core/base/bisect.h"
 #include "core/panel/sheet_numbers.h"
 
 namespace hogelscope {
@@ -233,7 +234,6 @@ double contrastLaw(const Bench& bench, const Grating& grating, std::size_t axis)
 
 double depthOfFall(const std::function<double(double depth)>& fall, double level, double first) {
   constexpr int steps = 200;
-  constexpr int halvings = 40;
   double low = 0;
   double high = 0;
   for (int step = 1; step <= steps; ++step) {
@@ -242,11 +242,8 @@ double depthOfFall(const std::function<double(double depth)>& fall, double level
     if (step == steps) return std::numeric_limits<double>::infinity();
     low = high;
   }
-  for (int k = 0; k < halvings && high - low > 1e-7 * high; ++k) {
-    const double middle = (low + high) / 2;
-    (fall(middle) <= level ? high : low) = middle;
-  }
-  return (low + high) / 2;
+  const auto isAbove = [&](double depth) { return !(fall(depth) <= level); };
+  return bisect({low, high}, 40, isAbove, 1e-7).middle();
 }
 
 }  // namespace hogelscope

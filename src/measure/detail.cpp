@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/base/bisect.h"
 #include "core/base/text.h"
 #include "core/panel/depth_budget.h"
 #include "core/panel/design_numbers.h"
@@ -64,13 +65,7 @@ void addMtf(const Bench& bench, std::size_t axis, std::vector<Measurement>& all)
 /// Returns the frequency, up to the hogels' limit, at which contrast falls to a half.
 double finest(const std::function<double(double frequency)>& contrastOf, double limit) {
   if (contrastOf(limit) >= 0.5) return limit;
-  double low = 0;
-  double high = limit;
-  for (int halving = 0; halving < 30; ++halving) {
-    const double middle = (low + high) / 2;
-    (contrastOf(middle) >= 0.5 ? low : high) = middle;
-  }
-  return low;
+  return bisect({0, limit}, 30, [&](double f) { return contrastOf(f) >= 0.5; }).inside;
 }
 
 void addSpatialResolution(const Bench& bench, std::size_t axis, std::vector<Measurement>& all) {

@@ -9,6 +9,7 @@
 #include <numbers>
 #include <string>
 
+#include "core/base/bisect.h"
 #include "core/base/text.h"
 #include "core/panel/sheet_numbers.h"
 #include "measure/contrast.h"
@@ -131,14 +132,9 @@ double flipOf(const Bench& bench, const Vec3& eye, const Spot& spot, double side
   const double middle =
       (numbers.flips[0] + numbers.flips[1]) / 2 + across * (1 - eye.z / of.display.viewingDistance);
   const auto isOwn = [&](double x) { return shareOwn(bench, {x, eye.y, eye.z}, spot) >= 0.5; };
-  double inside = middle + 0.3 * side * numbers.width();
-  double outside = middle + 0.7 * side * numbers.width();
-  if (!isOwn(inside) || isOwn(outside)) return noValue;
-  for (int halving = 0; halving < 30; ++halving) {
-    const double between = (inside + outside) / 2;
-    (isOwn(between) ? inside : outside) = between;
-  }
-  return (inside + outside) / 2;
+  const Bracket ends{middle + 0.3 * side * numbers.width(), middle + 0.7 * side * numbers.width()};
+  if (!isOwn(ends.inside) || isOwn(ends.outside)) return noValue;
+  return bisect(ends, 30, isOwn).middle();
 }
 
 void addViews(const Bench& bench, std::vector<Measurement>& all) {
@@ -323,13 +319,9 @@ void addProfile(const Bench& bench, std::vector<Measurement>& all) {
   }
   const auto widthOf = [=](const Bench& b, const auto& lightAt) {
     const auto edge = [&](double sign) {
-      double inside = lit + 0.5;
-      double outside = inside + sign * (reach + 1);
-      for (int halving = 0; halving < 30; ++halving) {
-        const double between = (inside + outside) / 2;
-        (lightAt(b, between) >= 0.5 ? inside : outside) = between;
-      }
-      return angleOf(inside);
+      const double inside = lit + 0.5;
+      const Bracket ends{inside, inside + sign * (reach + 1)};
+      return angleOf(bisect(ends, 30, [&](double at) { return lightAt(b, at) >= 0.5; }).inside);
     };
     return edge(1) - edge(-1);
   };
@@ -344,19 +336,15 @@ void addDepthsOfViews(const Bench& bench, std::vector<Measurement>& all) {
   const SheetNumbers numbers = Sheet(bench).numbers(bench.eye());
   for (const bool isFront : {true, false}) {
     const double form = isFront ? numbers.viewsFront : numbers.viewsBehind;
-    all.push_back({isFront ? "viewsFront" : "viewsBehind", "m", "z=" + metres(distance),
-                   [=](Bench& b) {
-                     if (std::isinf(form)) return noValue;
-                     double near = 0;
-                     double far = isFront ? 1.5 * form : -1.5 * form;
-                     far = std::min(far, 0.9 * distance);
-                     for (int halving = 0; halving < 20; ++halving) {
-                       const double z = (near + far) / 2;
-                       (std::abs(shiftOfViews(b, z)) < period ? near : far) = z;
-                     }
-                     return std::abs(near);
-                   },
-                   form});
+    all.push_back(
+        {isFront ? "viewsFront" : "viewsBehind", "m", "z=" + metres(distance),
+         [=](Bench& b) {
+           if (std::isinf(form)) return noValue;
+           const auto isLess = [&](double z) { return std::abs(shiftOfViews(b, z)) < period; };
+           const double far = std::min(isFront ? 1.5 * form : -1.5 * form, 0.9 * distance);
+           return std::abs(bisect({0, far}, 20, isLess).inside);
+         },
+         form});
   }
 }
 

@@ -6,6 +6,7 @@
 #include <complex>
 #include <numbers>
 
+#include "core/base/bisect.h"
 #include "core/base/text.h"
 #include "measure/measurement.h"
 
@@ -119,13 +120,10 @@ void addProfile(const Bench& bench, const Middle& middle, std::vector<Measuremen
   all.push_back({"angularProfile", "°", "full width at half maximum",
                  [=](Bench& b) {
                    const auto edge = [&](double sign) {
-                     double inside = middle.direction + 0.5;
-                     double outside = inside + sign * (reach + 1);
-                     for (int halving = 0; halving < 40; ++halving) {
-                       const double between = (inside + outside) / 2;
-                       (relative(b, between) >= 0.5 ? inside : outside) = between;
-                     }
-                     return angleOf(b, inside);
+                     const double inside = middle.direction + 0.5;
+                     const Bracket ends{inside, inside + sign * (reach + 1)};
+                     const auto isBright = [&](double at) { return relative(b, at) >= 0.5; };
+                     return angleOf(b, bisect(ends, 40, isBright).inside);
                    };
                    return std::abs(edge(1) - edge(-1));
                  },

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/base/bisect.h"
 #include "core/base/text.h"
 #include "measure/measurement.h"
 
@@ -14,16 +15,7 @@ double degrees(double radians) {
   return radians * 180 / std::numbers::pi;
 }
 
-/// Returns how far a place can move, from `place` to `farther` where isSame() is false, before
-/// isSame() ends.
-template <class IsSame>
-double edgeOf(double place, double farther, const IsSame& isSame) {
-  for (int halving = 0; halving < 60; ++halving) {
-    const double middle = (place + farther) / 2;
-    (isSame(middle) ? place : farther) = middle;
-  }
-  return (place + farther) / 2;
-}
+constexpr int halvings = 60;
 
 /// Returns the width of the hogel in the panel's middle, along an axis.
 double pitchByRays(const Bench& bench, std::size_t axis) {
@@ -37,7 +29,8 @@ double pitchByRays(const Bench& bench, std::size_t axis) {
   const double hogel = hogelAt(middle);
   const auto isSame = [&](double place) { return hogelAt(place) == hogel; };
   const double far = bench.display().size[axis];
-  return edgeOf(middle, middle + far, isSame) - edgeOf(middle, middle - far, isSame);
+  return bisect({middle, middle + far}, halvings, isSame).middle() -
+         bisect({middle, middle - far}, halvings, isSame).middle();
 }
 
 /// Returns the slopes at the edges of the direction in the middle of the field, along an axis.
@@ -55,7 +48,8 @@ std::array<double, 2> slopesByRays(const Bench& bench, std::size_t axis) {
   for (double by = 1e-6; std::abs(directionAt(inside) - middle - 0.5) > 0.45; by *= 1.3)
     inside = by;
   const auto isSame = [&](double slope) { return std::floor(directionAt(slope)) == middle; };
-  return {edgeOf(inside, -100, isSame), edgeOf(inside, 100, isSame)};
+  return {bisect({inside, -100}, halvings, isSame).middle(),
+          bisect({inside, 100}, halvings, isSame).middle()};
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "core/base/bisect.h"
 #include "core/base/error.h"
 #include "core/base/random_numbers.h"
 #include "core/base/text.h"
@@ -201,12 +202,8 @@ std::vector<Design> hypercubeOf(const SweepTable& table) {
 }  // namespace
 
 double normalQuantile(double share) {
-  double low = -40, high = 40;
-  for (int halving = 0; halving < 80; ++halving) {
-    const double middle = (low + high) / 2;
-    (0.5 * std::erfc(-middle / std::sqrt(2.0)) < share ? low : high) = middle;
-  }
-  return (low + high) / 2;
+  const auto isBelow = [share](double x) { return 0.5 * std::erfc(-x / std::sqrt(2.0)) < share; };
+  return bisect({-40, 40}, 80, isBelow).middle();
 }
 
 std::string SweepParameter::at(double share) const {

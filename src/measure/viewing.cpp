@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/base/bisect.h"
 #include "core/base/text.h"
 #include "measure/measurement.h"
 
@@ -52,12 +53,7 @@ double endOf(double from, double step, double farthest, const IsIn& isIn) {
     inside += step;
     if (std::abs(inside - from) > farthest) return std::numeric_limits<double>::infinity();
   }
-  double outside = inside + step;
-  for (int halving = 0; halving < 30; ++halving) {
-    const double middle = (inside + outside) / 2;
-    (isIn(middle) ? inside : outside) = middle;
-  }
-  return inside;
+  return bisect({inside, inside + step}, 30, isIn).inside;
 }
 
 void addZone(const Bench& bench, std::vector<Measurement>& all) {

@@ -6,6 +6,7 @@
 #include <limits>
 #include <numbers>
 
+#include "core/base/bisect.h"
 #include "core/panel/depth_budget.h"
 #include "core/panel/design_numbers.h"
 
@@ -84,11 +85,7 @@ double sharpDepth(const SheetLetters& of, int views, double distance, double spr
     low = high;
     high += step;
   }
-  for (int halving = 0; halving < 30; ++halving) {
-    const double middle = (low + high) / 2;
-    (isSharp(middle) ? low : high) = middle;
-  }
-  return side * depthAt(side * low, distance);
+  return side * depthAt(side * bisect({low, high}, 30, isSharp).inside, distance);
 }
 
 }  // namespace
