@@ -37,11 +37,11 @@ struct Measurement {
 std::vector<Measurement> allMeasurements(const Bench& bench, double ipd, double pupil);
 
 /// The groups that allMeasurements() joins, in its order.
-void addSheet(const Bench& bench, double pupil, std::vector<Measurement>& all);
-void addViewing(const Bench& bench, double ipd, std::vector<Measurement>& all);
-void addLight(const Bench& bench, std::vector<Measurement>& all);
-void addDetail(const Bench& bench, double pupil, std::vector<Measurement>& all);
-/// The group that a lens sheet has in place of those before addDetail().
+void addDataSheet(const Bench& bench, double pupil, std::vector<Measurement>& all);
+void addViewingSpace(const Bench& bench, double ipd, std::vector<Measurement>& all);
+void addPhotometry(const Bench& bench, std::vector<Measurement>& all);
+void addGratings(const Bench& bench, double pupil, std::vector<Measurement>& all);
+/// The group that a lens sheet has in place of those before addGratings().
 void addLensSheet(const Bench& bench, double ipd, std::vector<Measurement>& all);
 
 /// The axis along which figures of one axis are measured: across, or down if the display has but

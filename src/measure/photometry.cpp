@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The light of single directions and of plain fields: kernel, profile, resolution of directions,
-// uniformity, contrast.
+// Luminance of single directions and of plain fields: crosstalk of directions, angular profile and
+// resolution, uniformity, contrast.
 #include <algorithm>
 #include <cmath>
 #include <complex>
@@ -257,7 +257,7 @@ void addContrast(std::vector<Measurement>& all) {
 
 }  // namespace
 
-void addLight(const Bench& bench, std::vector<Measurement>& all) {
+void addPhotometry(const Bench& bench, std::vector<Measurement>& all) {
   const std::size_t axis = mainAxis(bench);
   if (bench.display().directions[axis] > 1) {
     const Middle middle = middleOf(bench, axis);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The display's data sheet, counted along rays.
+// What a data sheet of a display of hogels says: pitch and directions, counted along rays; pixels.
 #include <cmath>
 #include <numbers>
 
@@ -54,7 +54,7 @@ std::array<double, 2> slopesByRays(const Bench& bench, std::size_t axis) {
 
 }  // namespace
 
-void addSheet(const Bench& bench, double pupil, std::vector<Measurement>& all) {
+void addDataSheet(const Bench& bench, double pupil, std::vector<Measurement>& all) {
   const PanelParams& display = bench.display();
   for (const std::size_t axis : {0, 1}) {
     const double step = bench.step(axis);
@@ -91,19 +91,6 @@ void addSheet(const Bench& bench, double pupil, std::vector<Measurement>& all) {
   const auto [du, dv] = display.directions;
   const double pixels = double(nx) * ny * du * dv / 1e6;
   all.push_back({"megapixels", "Mpx", "all hogels", [pixels](Bench&) { return pixels; }, pixels});
-}
-
-std::vector<Measurement> allMeasurements(const Bench& bench, double ipd, double pupil) {
-  std::vector<Measurement> all;
-  if (bench.sheet() != nullptr) {
-    addLensSheet(bench, ipd, all);
-  } else {
-    addSheet(bench, pupil, all);
-    addViewing(bench, ipd, all);
-    addLight(bench, all);
-  }
-  addDetail(bench, pupil, all);
-  return all;
 }
 
 }  // namespace hogelscope

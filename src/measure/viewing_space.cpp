@@ -261,7 +261,7 @@ double crosstalk(Bench& bench, const Vec3& head, double ipd, double border) {
   return (light(right) - light(black)) / (light(own) - light(black));
 }
 
-void addViewing(const Bench& bench, double ipd, std::vector<Measurement>& all) {
+void addViewingSpace(const Bench& bench, double ipd, std::vector<Measurement>& all) {
   addZone(bench, all);
   if (bench.display().directions[0] > 1) {
     addQualified(bench, ipd, all);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The detail that a display shows at each depth: gratings on planes.
+// The detail that a display shows at each depth, by the contrast of gratings on planes: resolution,
+// depth of field, depths that are sharp, contrast over depth and over the focus of a pupil.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -223,7 +224,7 @@ void addDiffraction(const Bench& bench, std::size_t axis, std::vector<Measuremen
 
 }  // namespace
 
-void addDetail(const Bench& bench, double pupil, std::vector<Measurement>& all) {
+void addGratings(const Bench& bench, double pupil, std::vector<Measurement>& all) {
   const std::size_t axis = mainAxis(bench);
   addSpatialResolution(bench, axis, all);
   if (bench.sheet() != nullptr) addResolutionAlong(bench, all);
