@@ -12,7 +12,6 @@
 #include "core/content/live_source.h"
 #include "core/light_field/light_field.h"
 #include "core/panel/design_numbers.h"
-#include "core/panel/sheet_numbers.h"
 
 namespace hogelscope {
 
@@ -119,7 +118,7 @@ Bench::Bench(const PanelParams& display, const CameraState& state)
   if (!(m_eye.z > 0)) throw InputError(state.camera.name, "its eye is not in front of the panel");
   if (m_display.sheet) {
     m_pitches = {sheet()->period(), sheet()->pixel()};
-    m_steps = {sheetNumbers(*m_display.sheet, m_display.directions[0], m_eye).slopeSpread, 0};
+    m_steps = {numbersOfSheet().slopeSpread, 0};
     return;
   }
   const DesignNumbers numbers = designNumbers(m_display, m_eye);

@@ -10,6 +10,7 @@
 
 #include "core/engine/renderer.h"
 #include "core/optics/session.h"
+#include "core/panel/sheet_numbers.h"
 #include "sdk/hogelscope/plugin.h"
 
 namespace hogelscope {
@@ -50,6 +51,10 @@ class Bench {
   [[nodiscard]] const PupilParams& pupil() const { return m_pupil; }
   /// Null for a display of hogels, whose functions about hogels and directions are not for sheets.
   [[nodiscard]] const LensSheet* sheet() const { return m_panel.sheet(); }
+  /// Returns what the lens sheet shows to the eye; not for hogels.
+  [[nodiscard]] SheetNumbers numbersOfSheet() const {
+    return sheetNumbers(*m_display.sheet, m_display.directions[0], m_eye);
+  }
   /// Returns the pitch of hogels; of a lens sheet the lenses' period across, and the pixels' up.
   [[nodiscard]] double pitch(std::size_t axis) const { return m_pitches[axis]; }
   /// Returns the slope step s in the middle of the field; of a lens sheet the width s of a view's

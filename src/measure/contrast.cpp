@@ -9,7 +9,6 @@
 #include <numbers>
 
 #include "core/base/bisect.h"
-#include "core/panel/sheet_numbers.h"
 
 namespace hogelscope {
 
@@ -111,13 +110,12 @@ double sheetContrastSeen(Bench& bench, const Grating& grating, std::size_t axis)
     return 2 * pi * grating.frequency * place;
   };
   constexpr int lines = 8;
-  const SheetNumbers numbers =
-      sheetNumbers(*bench.display().sheet, bench.display().directions[0], bench.eye());
+  const double viewsPerMetre = bench.numbersOfSheet().viewsPerMetre;
   std::complex<double> sum;
   for (int line = 0; line < lines; ++line) {
     const double share = (line + 0.5) / lines - 0.5;
     Vec3 eye = bench.eye();
-    eye.x += share / numbers.viewsPerMetre;
+    eye.x += share / viewsPerMetre;
     // On as many places of the panel, in no step with lenses and pixels.
     const double across = share * 0.61 * bench.display().size[1 - axis];
     sum += meanWave(bench, grating, axis, eye, across, phaseAt);
@@ -194,8 +192,7 @@ double contrast(Bench& bench, const Grating& grating, std::size_t axis) {
 double shiftOfViews(Bench& bench, double z) {
   const double views = bench.display().directions[0];
   const double distance = bench.distance();
-  const double view =
-      1 / sheetNumbers(*bench.display().sheet, int(views), bench.eye()).viewsPerMetre;
+  const double view = 1 / bench.numbersOfSheet().viewsPerMetre;
   // Its period on the panel is several times what a sharp picture shifts by.
   const double frequency = 1 / (8 * bench.pitch(0));
   const Grating grating{frequency * distance / (distance - z), z};

@@ -4,16 +4,11 @@
 #include <numbers>
 
 #include "core/base/bisect.h"
-#include "core/base/text.h"
 #include "measure/measurement.h"
 
 namespace hogelscope {
 
 namespace {
-
-double degrees(double radians) {
-  return radians * 180 / std::numbers::pi;
-}
 
 constexpr int halvings = 60;
 

@@ -6,10 +6,7 @@
 #include <numbers>
 
 #include "core/base/bisect.h"
-#include "core/base/text.h"
 #include "core/panel/depth_budget.h"
-#include "core/panel/design_numbers.h"
-#include "core/panel/sheet_numbers.h"
 #include "measure/contrast.h"
 #include "measure/measurement.h"
 
@@ -21,8 +18,7 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 const double half = 2 / std::numbers::pi;  ///< sinc(1/2)
 
 std::string placeOf(const Grating& grating) {
-  return "f=" + numberText(fourDigits(grating.frequency / 1000)) +
-         "/mm z=" + numberText(fourDigits(grating.z)) + " m";
+  return "f=" + numberText(fourDigits(grating.frequency / 1000)) + "/mm z=" + metres(grating.z);
 }
 
 /// Returns p/s, or a depth of the eye's order if the axis has but one direction.
@@ -63,82 +59,66 @@ void addMtf(const Bench& bench, std::size_t axis, std::vector<Measurement>& all)
   }
 }
 
-/// Returns the frequency, up to the hogels' limit, at which contrast falls to a half.
-double finest(const std::function<double(double frequency)>& contrastOf, double limit) {
-  if (contrastOf(limit) >= 0.5) return limit;
-  return bisect({0, limit}, 30, [&](double f) { return contrastOf(f) >= 0.5; }).inside;
+/// The finest grating on a plane, up to the hogels' limit, of whose contrast a half is left.
+void addResolution(const Bench& bench, std::size_t axis, const std::string& where, double z,
+                   std::vector<Measurement>& all) {
+  const double limit = nyquist(bench, axis);
+  const auto finest = [limit](const auto& contrastOf) {
+    const auto isResolved = [&](double frequency) { return contrastOf(frequency) >= 0.5; };
+    return 1e-3 * (isResolved(limit) ? limit : bisect({0, limit}, 30, isResolved).inside);
+  };
+  all.push_back({"spatialResolution", "1/mm", where,
+                 [=](Bench& b) {
+                   return finest([&](double f) { return contrast(b, {f, z}, axis); });
+                 },
+                 bench.isLinear(axis) ? finest([&](double f) {
+                   return contrastLaw(bench, {f, z}, axis);
+                 })
+                                      : noValue,
+                 z});
 }
 
 void addSpatialResolution(const Bench& bench, std::size_t axis, std::vector<Measurement>& all) {
-  const double limit = nyquist(bench, axis);
   const double scale = depthScale(bench, axis);
-  for (const double z : {0.0, -0.5 * scale, -scale, 0.5 * scale}) {
-    if (z >= 0.9 * bench.distance()) continue;
-    const auto formOf = [&](double f) { return contrastLaw(bench, {f, z}, axis); };
-    all.push_back(
-        {"spatialResolution", "1/mm", "contrast 0.5 z=" + numberText(fourDigits(z)) + " m",
-         [=](Bench& b) {
-           return 1e-3 * finest([&](double f) { return contrast(b, {f, z}, axis); }, limit);
-         },
-         bench.isLinear(axis) ? 1e-3 * finest(formOf, limit) : noValue, z});
-  }
+  for (const double z : {0.0, -0.5 * scale, -scale, 0.5 * scale})
+    if (z < 0.9 * bench.distance())
+      addResolution(bench, axis, "contrast 0.5 z=" + metres(z), z, all);
+  // Along the lenses, where all views have the same height.
+  if (bench.sheet() != nullptr) addResolution(bench, 1, "up the panel, contrast 0.5 z=0 m", 0, all);
 }
 
-/// Along the lenses, where all views have the same height.
-void addResolutionAlong(const Bench& bench, std::vector<Measurement>& all) {
-  const double limit = nyquist(bench, 1);
-  all.push_back({"spatialResolution", "1/mm", "up the panel, contrast 0.5 z=0 m",
-                 [=](Bench& b) {
-                   return 1e-3 * finest([&](double f) { return contrast(b, {f, 0}, 1); }, limit);
-                 },
-                 1e-3 * finest(
-                            [&](double f) {
-                              return contrastLaw(bench, {f, 0}, 1);
-                            },
-                            limit)});
-}
-
+/// The depths behind the panel at which the contrast of the hogels' finest grating falls to a part
+/// of what it is on the panel.
 void addDepthOfField(const Bench& bench, std::size_t axis, std::vector<Measurement>& all) {
   const double frequency = nyquist(bench, axis);
   const double scale = depthScale(bench, axis);
   const std::string where = "behind f=" + numberText(fourDigits(frequency / 1000)) + "/mm";
-  const bool isLinear = bench.isLinear(axis);
-  const Bench sharp = bench.withoutBlur();
-  const auto formOf = [&](const Bench& of, double level) {
-    const double onPanel = contrastLaw(of, {frequency, 0}, axis);
-    return depthOfFall(
-        [&](double z) {
-          return contrastLaw(of, {frequency, -z}, axis) / onPanel;
-        },
-        level, scale);
-  };
-  const bool isParallel = hasEvenSteps(bench);
-  all.push_back({"depthOfField", "m", where,
-                 [=](Bench& b) {
-                   Bench plain = b.withoutBlur();
-                   const double onPanel = contrast(plain, {frequency, 0}, axis);
-                   return depthOfFall(
-                       [&](double z) {
-                         return contrast(plain, {frequency, -z}, axis) / onPanel;
-                       },
-                       half, scale);
-                 },
-                 !isLinear    ? noValue
-                 : isParallel ? scale
-                              : formOf(sharp, half)});
-  for (const int percent : {50, 10}) {
-    const double level = percent / 100.0;
-    all.push_back({"depthOfField" + std::to_string(percent), "m", where,
+  const auto add = [&](const std::string& name, double level, bool hasBlur) {
+    const auto depthOf = [=](const auto& contrastOf) {
+      const double onPanel = contrastOf(Grating{frequency, 0});
+      return depthOfFall(
+          [&](double z) {
+            return contrastOf(Grating{frequency, -z}) / onPanel;
+          },
+          level, scale);
+    };
+    const auto formOf = [&] {
+      const Bench own = hasBlur ? bench : bench.withoutBlur();
+      return depthOf([&](const Grating& grating) { return contrastLaw(own, grating, axis); });
+    };
+    all.push_back({name, "m", where,
                    [=](Bench& b) {
-                     const double first = contrast(b, {frequency, 0}, axis);
-                     return depthOfFall(
-                         [&](double z) {
-                           return contrast(b, {frequency, -z}, axis) / first;
-                         },
-                         level, scale);
+                     Bench own = hasBlur ? b : b.withoutBlur();
+                     return depthOf(
+                         [&](const Grating& grating) { return contrast(own, grating, axis); });
                    },
-                   isLinear ? formOf(bench, level) : noValue});
-  }
+                   !bench.isLinear(axis)             ? noValue
+                   : !hasBlur && hasEvenSteps(bench) ? scale
+                                                     : formOf()});
+  };
+  add("depthOfField", half, false);
+  add("depthOfField50", 0.5, true);
+  add("depthOfField10", 0.1, true);
 }
 
 /// The depths at which one direction is as wide as a hogel, as the eye sees both: of gratings that
@@ -162,25 +142,21 @@ void addDepthLimits(const Bench& bench, std::size_t axis, std::vector<Measuremen
       if (!isFront && fall(1 / distance) > half) return infinite;
       return sign * depthAt(sign * depthOfFall(fall, half, display), distance);
     };
-    Measurement one{isFront ? "depthFront" : "depthBehind",
-                    "m",
-                    "z=" + numberText(fourDigits(distance)) + " m",
-                    {}};
-    if (const auto& sheet = bench.display().sheet) {
-      const SheetNumbers numbers = sheetNumbers(*sheet, bench.display().directions[0], bench.eye());
-      one.closedForm = isFront ? numbers.depthFront : numbers.depthBehind;
-    } else if (bench.isLinear(axis)) {
-      one.closedForm = isParallel
-                           ? sign * depthAt(sign * display, distance)
-                           : search([sharp = bench.withoutBlur(), axis](const Grating& grating) {
-                               return contrastLaw(sharp, grating, axis);
-                             });
-    }
-    one.simulate = [=](Bench& b) {
-      Bench plain = b.withoutBlur();
-      return search([&](const Grating& grating) { return contrast(plain, grating, axis); });
+    const auto formOf = [&] {
+      if (bench.sheet() != nullptr)
+        return isFront ? bench.numbersOfSheet().depthFront : bench.numbersOfSheet().depthBehind;
+      if (!bench.isLinear(axis)) return noValue;
+      if (isParallel) return sign * depthAt(sign * display, distance);
+      const Bench plain = bench.withoutBlur();
+      return search([&](const Grating& grating) { return contrastLaw(plain, grating, axis); });
     };
-    all.push_back(std::move(one));
+    all.push_back({isFront ? "depthFront" : "depthBehind", "m", "z=" + metres(distance),
+                   [=](Bench& b) {
+                     Bench plain = b.withoutBlur();
+                     return search(
+                         [&](const Grating& grating) { return contrast(plain, grating, axis); });
+                   },
+                   formOf()});
   }
 }
 
@@ -202,8 +178,7 @@ void addThroughFocus(const Bench& bench, std::size_t axis, double pupil,
     if (params.samples == 0) params.samples = 64;  // the law is of a whole pupil
     Bench focused = bench;
     focused.setPupil(params);
-    all.push_back({"throughFocus", "",
-                   "focus=" + numberText(fourDigits(params.focus)) + " m " + placeOf(grating),
+    all.push_back({"throughFocus", "", "focus=" + metres(params.focus) + " " + placeOf(grating),
                    [=](Bench& b) {
                      Bench own = b;
                      own.setPupil(params);
@@ -227,7 +202,6 @@ void addDiffraction(const Bench& bench, std::size_t axis, std::vector<Measuremen
 void addGratings(const Bench& bench, double pupil, std::vector<Measurement>& all) {
   const std::size_t axis = mainAxis(bench);
   addSpatialResolution(bench, axis, all);
-  if (bench.sheet() != nullptr) addResolutionAlong(bench, all);
   addMtf(bench, axis, all);
   if (bench.display().directions[axis] > 1) {
     addDepthOfField(bench, axis, all);

@@ -10,7 +10,6 @@
 #include <string>
 
 #include "core/base/bisect.h"
-#include "core/base/text.h"
 #include "core/panel/sheet_numbers.h"
 #include "measure/contrast.h"
 #include "measure/measurement.h"
@@ -22,10 +21,6 @@ namespace {
 constexpr double pi = std::numbers::pi;
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-std::string metres(double value) {
-  return numberText(fourDigits(value)) + " m";
-}
-
 /// A part of the panel: points that are even over its height and, across the lenses, its width.
 struct Spot {
   Vec2 middle;
@@ -35,28 +30,21 @@ struct Spot {
   int rays = 4096;
 };
 
-/// Figures and letters of a bench's sheet.
-struct Sheet {
-  explicit Sheet(const Bench& bench)
-      : display(*bench.display().sheet),
-        views(bench.display().directions[0]),
-        perSlope(1 / display.calibration.params.slope),
-        size(bench.display().size) {}
-  [[nodiscard]] SheetNumbers numbers(const Vec3& eye) const {
-    return sheetNumbers(display, views, eye);
-  }
-  /// A few lenses in the panel's middle, along most of its height: many phases of pixels to lenses,
-  /// and hardly more than one view to the eye.
-  [[nodiscard]] Spot middle(const Bench& bench) const {
-    const double turning = std::abs(numbers(bench.eye()).viewsPerPanelMetre);
-    return {
-        {}, std::min({24 * bench.pitch(0), size[0] / 2, 0.3 / turning}), 0.8 * size[1], -perSlope};
-  }
-  const SheetDisplay& display;
-  int views;
-  double perSlope;
-  std::array<double, 2> size;
-};
+/// Returns 1/slope of the lenses.
+double perSlope(const Bench& bench) {
+  return 1 / bench.display().sheet->calibration.params.slope;
+}
+
+/// Returns a few lenses in the panel's middle, along most of its height: many phases of pixels to
+/// lenses, and hardly more than one view to the eye.
+Spot middleOf(const Bench& bench) {
+  const auto& [width, height] = bench.display().size;
+  const double turning = std::abs(bench.numbersOfSheet().viewsPerPanelMetre);
+  return {{},
+          std::min({24 * bench.pitch(0), width / 2, 0.3 / turning}),
+          0.8 * height,
+          -perSlope(bench)};
+}
 
 /// Calls `use` with the view 0 … N that an eye sees at each point of a spot in green, and with that
 /// of the place at which its ray crosses the viewing distance, which goes on beyond the cone.
@@ -64,11 +52,13 @@ template <class Use>
 void forViews(const Bench& bench, const Vec3& eye, const Spot& spot, const Use& use) {
   constexpr std::size_t green = 1;
   constexpr int parts = 1 << 24;
-  const Sheet of(bench);
+  const SheetDisplay& display = *bench.display().sheet;
   const LensSheet& sheet = *bench.sheet();
-  const double distance = of.display.viewingDistance;
-  const double perCrossing = of.views * sheet.gap() / (sheet.period() * distance);
-  const auto [columns, rows] = of.display.calibration.params.panel;
+  const int views = bench.display().directions[0];
+  const double distance = display.viewingDistance;
+  const double perCrossing = views * sheet.gap() / (sheet.period() * distance);
+  const double lean = perSlope(bench);
+  const auto [columns, rows] = display.calibration.params.panel;
   const std::vector<double>& weights = sheet.spot();
   for (int ray = 1; ray <= spot.rays; ++ray) {
     // The R2 sequence: M. Roberts, The unreasonable effectiveness of quasirandom sequences, 2018.
@@ -86,51 +76,54 @@ void forViews(const Bench& bench, const Vec3& eye, const Spot& spot, const Use& 
     }
     if (column < 0 || column >= columns || hit->row < 0 || hit->row >= rows) continue;
     const int part = sheet.viewOf(int(column), int(hit->row), green, parts);
-    const double turned = (eye.x - point.x + (eye.y - point.y) * of.perSlope) / eye.z;
-    const double crossing = point.x + point.y * of.perSlope + distance * turned;
-    use(of.views * (part + 0.5) / parts, of.views / 2.0 + perCrossing * crossing);
+    const double turned = (eye.x - point.x + (eye.y - point.y) * lean) / eye.z;
+    const double crossing = point.x + point.y * lean + distance * turned;
+    use(views * (part + 0.5) / parts, views / 2.0 + perCrossing * crossing);
   }
 }
 
 /// Returns the mean of the views, on their circle; 0 … N.
 double meanView(const Bench& bench, const Vec3& eye, const Spot& spot) {
-  const int views = Sheet(bench).views;
+  const int views = bench.display().directions[0];
   std::complex<double> sum;
   forViews(bench, eye, spot,
            [&](double view, double /*own*/) { sum += std::polar(1.0, 2 * pi * view / views); });
   return std::fmod(std::arg(sum) / (2 * pi) + 1, 1) * views;
 }
 
-/// Returns the share of a spot that shows what is at the eye's own place, not N views aside.
-double shareOwn(const Bench& bench, const Vec3& eye, const Spot& spot) {
-  const double half = Sheet(bench).views / 2.0;
+/// Returns the share of a spot of whose view, and that of the eye's own place, `is` is true.
+template <class Is>
+double shareOf(const Bench& bench, const Vec3& eye, const Spot& spot, const Is& is) {
   double inside = 0;
   double count = 0;
   forViews(bench, eye, spot, [&](double view, double own) {
-    inside += std::abs(view - own) < half ? 1 : 0;
+    inside += is(view, own) ? 1 : 0;
     ++count;
   });
   return inside / count;
 }
 
-/// Returns the share of a spot's light that is of views from `first` to before `last`.
+/// Returns the share of a spot that shows what is at the eye's own place, not N views aside.
+double shareOwn(const Bench& bench, const Vec3& eye, const Spot& spot) {
+  const double half = bench.display().directions[0] / 2.0;
+  return shareOf(bench, eye, spot,
+                 [half](double view, double own) { return std::abs(view - own) < half; });
+}
+
+/// Returns the share of the middle's light that is of views from `first` to before `last`.
 double shareOfViews(const Bench& bench, const Vec3& eye, double first, double last) {
-  double inside = 0;
-  double count = 0;
-  forViews(bench, eye, Sheet(bench).middle(bench), [&](double view, double /*own*/) {
-    inside += view >= first && view < last ? 1 : 0;
-    ++count;
-  });
-  return inside / count;
+  return shareOf(bench, eye, middleOf(bench),
+                 [=](double view, double /*own*/) { return view >= first && view < last; });
 }
 
-/// Returns the eye's place to a side, −1 or 1, where half of a spot shows other views than its own.
-double flipOf(const Bench& bench, const Vec3& eye, const Spot& spot, double side) {
-  const Sheet of(bench);
-  const SheetNumbers numbers = of.numbers(eye);
-  const double across = spot.middle.x + spot.middle.y * of.perSlope;
+/// Returns x of the eye's place to a side, −1 or 1, where half of a spot shows other views than its
+/// own.
+double flipOf(const Bench& bench, const Spot& spot, double side) {
+  const Vec3& eye = bench.eye();
+  const SheetNumbers numbers = bench.numbersOfSheet();
+  const double across = spot.middle.x + spot.middle.y * perSlope(bench);
   const double middle =
-      (numbers.flips[0] + numbers.flips[1]) / 2 + across * (1 - eye.z / of.display.viewingDistance);
+      numbers.middle() + across * (1 - eye.z / bench.display().sheet->viewingDistance);
   const auto isOwn = [&](double x) { return shareOwn(bench, {x, eye.y, eye.z}, spot) >= 0.5; };
   const Bracket ends{middle + 0.3 * side * numbers.width(), middle + 0.7 * side * numbers.width()};
   if (!isOwn(ends.inside) || isOwn(ends.outside)) return noValue;
@@ -138,16 +131,15 @@ double flipOf(const Bench& bench, const Vec3& eye, const Spot& spot, double side
 }
 
 void addViews(const Bench& bench, std::vector<Measurement>& all) {
-  const Sheet of(bench);
   const Vec3 eye = bench.eye();
-  const SheetNumbers numbers = of.numbers(eye);
+  const SheetNumbers numbers = bench.numbersOfSheet();
   const std::string at = " z=" + metres(eye.z);
-  const double middle = (numbers.flips[0] + numbers.flips[1]) / 2;
+  const double middle = numbers.middle();
   all.push_back({"viewsPerMetre", "1/m", "to the eye's right" + at,
                  [=](Bench& b) {
                    const double move = 0.3 * numbers.width();
                    const auto viewAt = [&](double x) {
-                     return meanView(b, {x, eye.y, eye.z}, Sheet(b).middle(b));
+                     return meanView(b, {x, eye.y, eye.z}, middleOf(b));
                    };
                    return (viewAt(middle + move) - viewAt(middle - move)) / (2 * move);
                  },
@@ -155,7 +147,7 @@ void addViews(const Bench& bench, std::vector<Measurement>& all) {
   all.push_back(
       {"viewsPerMetre", "1/m", "to the right along the panel" + at,
        [=](Bench& b) {
-         Spot spot = Sheet(b).middle(b);
+         Spot spot = middleOf(b);
          const double turn = 0.3 * numbers.views / std::abs(numbers.viewsPerPanelMetre);
          const double move = std::min(
              0.45 * (b.display().size[0] - spot.width - std::abs(spot.lean) * spot.height), turn);
@@ -168,7 +160,7 @@ void addViews(const Bench& bench, std::vector<Measurement>& all) {
        numbers.viewsPerPanelMetre});
   all.push_back({"lobe", "views", "rms" + at,
                  [=](Bench& b) {
-                   const Spot spot = Sheet(b).middle(b);
+                   const Spot spot = middleOf(b);
                    const double mean = meanView(b, eye, spot);
                    double squares = 0;
                    double count = 0;
@@ -184,11 +176,9 @@ void addViews(const Bench& bench, std::vector<Measurement>& all) {
 
 void addFlips(const Bench& bench, double ipd, std::vector<Measurement>& all) {
   const Vec3 eye = bench.eye();
-  const SheetNumbers numbers = Sheet(bench).numbers(eye);
+  const SheetNumbers numbers = bench.numbersOfSheet();
   const std::string at = " z=" + metres(eye.z);
-  const auto flipAt = [eye](const Bench& b, double side) {
-    return flipOf(b, eye, Sheet(b).middle(b), side);
-  };
+  const auto flipAt = [](const Bench& b, double side) { return flipOf(b, middleOf(b), side); };
   const auto widthAt = [=](const Bench& b) { return flipAt(b, 1) - flipAt(b, -1); };
   all.push_back({"viewingCone", "°", "panel's middle",
                  [=](Bench& b) { return 360 / pi * std::atan(widthAt(b) / (2 * eye.z)); },
@@ -201,7 +191,7 @@ void addFlips(const Bench& bench, double ipd, std::vector<Measurement>& all) {
   all.push_back({"pseudoscopic", "", "share of heads" + at,
                  [=](Bench& b) {
                    constexpr int heads = 500;
-                   Spot spot = Sheet(b).middle(b);
+                   Spot spot = middleOf(b);
                    spot.rays = 1024;
                    int exchanged = 0;
                    for (int head = 0; head < heads; ++head) {
@@ -217,123 +207,95 @@ void addFlips(const Bench& bench, double ipd, std::vector<Measurement>& all) {
 
 /// The places from which no flip lies on the panel, and the share of it that none has passed.
 void addWhole(const Bench& bench, std::vector<Measurement>& all) {
-  const Sheet of(bench);
+  const SheetDisplay& display = *bench.display().sheet;
   const Vec3 eye = bench.eye();
-  const double turned = std::abs(1 - eye.z / of.display.viewingDistance);
-  const double panel = of.size[0] + std::abs(of.perSlope) * of.size[1];
+  const auto [width, height] = bench.display().size;
+  const double turned = std::abs(1 - eye.z / display.viewingDistance);
+  const double panel = width + std::abs(perSlope(bench)) * height;
   all.push_back(
       {"viewingZone", "m", "whole panel across z=" + metres(eye.z),
-       [=](Bench& b) {
-         const Sheet sheet(b);
+       [](Bench& b) {
+         const auto& size = b.display().size;
          const double side = 8 * b.pitch(0);
          double low = -infinite;
          double high = infinite;
          for (const double right : {-0.5, 0.5})
            for (const double up : {-0.5, 0.5}) {
-             const Spot corner{
-                 {right * (sheet.size[0] - side), up * (sheet.size[1] - side)}, side, side, 0};
-             low = std::max(low, flipOf(b, eye, corner, -1));
-             high = std::min(high, flipOf(b, eye, corner, 1));
+             const Spot corner{{right * (size[0] - side), up * (size[1] - side)}, side, side, 0};
+             low = std::max(low, flipOf(b, corner, -1));
+             high = std::min(high, flipOf(b, corner, 1));
            }
          return std::max(high - low, 0.0);
        },
-       std::max(of.numbers(eye).width() - panel * turned, 0.0)});
-  constexpr int columns = 41;
-  constexpr int rows = 25;
-  const double reach = 1.2 * std::max(eye.z, of.size[0]);
-  for (int row = 0; row < rows; ++row)
-    for (int column = 0; column < columns; ++column) {
-      const double z = 2 * eye.z * (row + 0.5) / rows;
-      const double x = reach * (2 * (column + 0.5) / columns - 1);
-      all.push_back({"viewingZone", "", "share x=" + metres(x) + " z=" + metres(z),
-                     [x, z](Bench& b) {
-                       const auto& [width, height] = b.display().size;
-                       return shareOwn(b, {x, 0, z}, {{}, width, height, 0, 2000});
-                     },
-                     shareInCone(of.display, {x, 0, z}), x, z});
-    }
+       std::max(bench.numbersOfSheet().width() - panel * turned, 0.0)});
+  addZoneMap(bench,
+             {[](Bench& b, const Vec3& from) {
+                const auto& size = b.display().size;
+                return shareOwn(b, from, {{}, size[0], size[1], 0, 2000});
+              },
+              [&](const Vec3& from) { return shareInCone(display, from); }},
+             all);
 }
 
 /// The left eye's crosstalk: views to the right of the border are the right eye's.
 void addTwoEyes(const Bench& bench, double ipd, std::vector<Measurement>& all) {
-  constexpr int steps = 9;
-  const Vec3 head = bench.eye();
-  const Sheet of(bench);
-  const SheetNumbers numbers = of.numbers(head);
+  const SheetDisplay& display = *bench.display().sheet;
+  const SheetNumbers numbers = bench.numbersOfSheet();
   const auto viewAt = [=](double x) {
-    return numbers.views / 2.0 +
-           (x - (numbers.flips[0] + numbers.flips[1]) / 2) * numbers.viewsPerMetre;
+    return numbers.views / 2.0 + (x - numbers.middle()) * numbers.viewsPerMetre;
   };
   // The first view whose middle is to the right.
-  const double border = std::clamp(std::ceil(viewAt(head.x) - 0.5), 0.0, double(numbers.views));
-  const auto add = [&](int step) {
-    const double x = 0.45 * ipd * step / steps;
-    const double place = head.x + x - ipd / 2;
-    Measurement one{"crosstalk", "", "x=" + metres(x), {}, noValue, x};
-    one.simulate = [=](Bench& b) {
-      const Vec3 left{place, head.y, head.z};
-      return shareOfViews(b, left, border, numbers.views) / shareOfViews(b, left, 0, border);
-    };
-    const double at = viewAt(place);
-    const double end = 2 * numbers.views;
-    one.closedForm = lobeShare(of.display, numbers.views, border - at, end) /
-                     lobeShare(of.display, numbers.views, -end, border - at);
-    // Near a flip views of the cone's other end come in.
-    if (at < 0.1 * numbers.views || at > 0.9 * numbers.views) one.closedForm = noValue;
-    all.push_back(std::move(one));
-  };
-  add(0);  // the designated eye position comes first
-  for (int step = -steps; step <= steps; ++step)
-    if (step != 0) add(step);
+  const double border =
+      std::clamp(std::ceil(viewAt(bench.eye().x) - 0.5), 0.0, double(numbers.views));
+  addCrosstalk(bench, ipd,
+               {[=](Bench& b, const Vec3& at) {
+                  const Vec3 left{at.x - ipd / 2, at.y, at.z};
+                  return shareOfViews(b, left, border, numbers.views) /
+                         shareOfViews(b, left, 0, border);
+                },
+                [&](const Vec3& at) {
+                  const double view = viewAt(at.x - ipd / 2);
+                  // Near a flip views of the cone's other end come in.
+                  if (view < 0.1 * numbers.views || view > 0.9 * numbers.views) return noValue;
+                  const double end = 2 * numbers.views;
+                  return lobeShare(display, numbers.views, border - view, end) /
+                         lobeShare(display, numbers.views, -end, border - view);
+                }},
+               all);
 }
 
-/// The light of the middle view over the eye's angle, as a part of that in its middle.
-void addProfile(const Bench& bench, std::vector<Measurement>& all) {
-  constexpr int perView = 8;
-  const Sheet of(bench);
+/// The light of the middle view over the eye's angle.
+void addMiddleProfile(const Bench& bench, std::vector<Measurement>& all) {
   const Vec3 eye = bench.eye();
-  const SheetNumbers numbers = of.numbers(eye);
+  const SheetNumbers numbers = bench.numbersOfSheet();
   const int lit = numbers.views / 2;
-  const int reach = std::min(int(std::ceil(2 * numbers.lobe)) + 1, numbers.views / 2 - 1);
-  const double middle = (numbers.flips[0] + numbers.flips[1]) / 2;
+  const double middle = numbers.middle();
   const auto placeOf = [=](double view) {
     return middle + (view - numbers.views / 2.0) / numbers.viewsPerMetre;
   };
-  const auto angleOf = [=](double view) { return 180 / pi * std::atan2(placeOf(view), eye.z); };
-  const auto seen = [=](const Bench& b, double view) {
-    const auto light = [&](double place) {
-      return shareOfViews(b, {placeOf(place), eye.y, eye.z}, lit, lit + 1);
-    };
-    return light(view) / light(lit + 0.5);
-  };
-  const auto form = [=](const Bench& b, double view) {
-    const SheetDisplay& display = *b.display().sheet;
-    return lobeShare(display, numbers.views, lit - view, lit + 1 - view) /
-           lobeShare(display, numbers.views, -0.5, 0.5);
-  };
-  for (int k = -reach * perView; k < (reach + 1) * perView; ++k) {
-    const double view = lit + (k + 0.5) / perView;
-    const double angle = angleOf(view);
-    all.push_back({"angularProfile", "", "angle=" + numberText(fourDigits(angle)) + "°",
-                   [=](Bench& b) { return seen(b, view); }, form(bench, view), angle});
-  }
-  const auto widthOf = [=](const Bench& b, const auto& lightAt) {
-    const auto edge = [&](double sign) {
-      const double inside = lit + 0.5;
-      const Bracket ends{inside, inside + sign * (reach + 1)};
-      return angleOf(bisect(ends, 30, [&](double at) { return lightAt(b, at) >= 0.5; }).inside);
-    };
-    return edge(1) - edge(-1);
-  };
-  all.push_back({"angularProfile", "°", "full width at half maximum",
-                 [=](Bench& b) { return widthOf(b, seen); }, widthOf(bench, form)});
+  addProfile(
+      bench,
+      {lit,
+       std::min(int(std::ceil(2 * numbers.lobe)) + 1, numbers.views / 2 - 1),
+       30,
+       [=](const Bench&, double view) { return 180 / pi * std::atan2(placeOf(view), eye.z); },
+       [=](Bench& b, double view) {
+         return shareOfViews(b, {placeOf(view), eye.y, eye.z}, lit, lit + 1);
+       },
+       [=](const Bench& b, double view) {
+         const SheetDisplay& display = *b.display().sheet;
+         return lobeShare(display, numbers.views, lit - view, lit + 1 - view) /
+                lobeShare(display, numbers.views, -0.5, 0.5);
+       },
+       {}},
+      all);
 }
 
 /// The depths at which the picture shifts by a lens from one view to the next.
 void addDepthsOfViews(const Bench& bench, std::vector<Measurement>& all) {
   const double distance = bench.distance();
   const double period = bench.pitch(0);
-  const SheetNumbers numbers = Sheet(bench).numbers(bench.eye());
+  const SheetNumbers numbers = bench.numbersOfSheet();
   for (const bool isFront : {true, false}) {
     const double form = isFront ? numbers.viewsFront : numbers.viewsBehind;
     all.push_back(
@@ -355,7 +317,7 @@ void addLensSheet(const Bench& bench, double ipd, std::vector<Measurement>& all)
   addFlips(bench, ipd, all);
   addWhole(bench, all);
   addTwoEyes(bench, ipd, all);
-  addProfile(bench, all);
+  addMiddleProfile(bench, all);
   addDepthsOfViews(bench, all);
 }
 

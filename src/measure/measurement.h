@@ -1,16 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The figures of a display: what each is of, how it is simulated, and its closed form. Names,
-// procedures and formulas are in docs/formulas.md, Measures of a display. --measure runs the whole
-// list as a campaign, a sweep takes single figures of it for each design, the window the maps
-// alone; nothing here knows how a view is rendered.
+// The figures of a display: what each is of, how it is simulated, and its closed form. Procedures
+// and formulas are in docs/formulas.md, Measures of a display. --measure runs the whole list as a
+// campaign, a sweep takes single figures of it for each design, the window the maps alone; nothing
+// here knows how a view is rendered.
 #pragma once
 
 #include <functional>
 #include <limits>
+#include <numbers>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "core/base/text.h"
 #include "measure/bench.h"
 
 namespace hogelscope {
@@ -32,17 +35,46 @@ struct Measurement {
   double up = 0;
 };
 
-/// Returns all figures of the bench's display. `ipd` is the distance between the eyes, `pupil` a
-/// diameter for what needs one and whose state has none, metres.
+/// Returns all measurements of the bench's display. `ipd` is the distance between the eyes, `pupil`
+/// a diameter for what needs one and whose state has none, metres.
 std::vector<Measurement> allMeasurements(const Bench& bench, double ipd, double pupil);
 
-/// The groups that allMeasurements() joins, in its order.
+/// The groups that allMeasurements() joins: those of hogels, those of lens sheets, gratings on
+/// both.
 void addDataSheet(const Bench& bench, double pupil, std::vector<Measurement>& all);
 void addViewingSpace(const Bench& bench, double ipd, std::vector<Measurement>& all);
 void addPhotometry(const Bench& bench, std::vector<Measurement>& all);
-void addGratings(const Bench& bench, double pupil, std::vector<Measurement>& all);
-/// The group that a lens sheet has in place of those before addGratings().
 void addLensSheet(const Bench& bench, double ipd, std::vector<Measurement>& all);
+void addGratings(const Bench& bench, double pupil, std::vector<Measurement>& all);
+
+/// What is seen from a place of an eye or of a head.
+struct EyeFigure {
+  std::function<double(Bench& bench, const Vec3& eye)> simulate;
+  std::function<double(const Vec3& eye)> closedForm;
+};
+
+/// Adds the map of the viewing zone: the share of the panel seen from 41 × 25 places at the height
+/// of its middle.
+void addZoneMap(const Bench& bench, const EyeFigure& share, std::vector<Measurement>& all);
+
+/// Adds the crosstalk of two eyes over 19 places of the head about the bench's eye, which is the
+/// designated eye position and comes first.
+void addCrosstalk(const Bench& bench, double ipd, const EyeFigure& crosstalk,
+                  std::vector<Measurement>& all);
+
+/// The light of one direction, or of one view, over the eye's angle.
+struct AngularProfile {
+  int lit;       ///< the direction
+  int reach;     ///< directions to each side that are looked at
+  int halvings;  ///< in the search for the width
+  std::function<double(const Bench& bench, double direction)> angleOf;  ///< of the eye, degrees
+  std::function<double(Bench& bench, double direction)> light;          ///< seen from a direction
+  std::function<double(const Bench& bench, double direction)> closedForm;  ///< of its middle is 1
+  std::optional<double> width;  ///< in closed form, degrees; none: is searched in `closedForm`
+};
+
+/// Adds the profile at every eighth of a direction, and its full width at half maximum.
+void addProfile(const Bench& bench, const AngularProfile& profile, std::vector<Measurement>& all);
 
 /// The axis along which figures of one axis are measured: across, or down if the display has but
 /// one direction across.
@@ -50,10 +82,15 @@ inline std::size_t mainAxis(const Bench& bench) {
   return bench.display().directions[0] > 1 ? 0 : 1;
 }
 
-/// Returns an eye that is moved to a place along an axis.
+/// Returns an eye that is moved to a place along an axis, 2 for z.
 inline Vec3 movedTo(Vec3 eye, double place, std::size_t axis) {
-  (axis == 0 ? eye.x : eye.y) = place;
+  (axis == 0 ? eye.x : axis == 1 ? eye.y : eye.z) = place;
   return eye;
+}
+
+/// Returns a point of an axis.
+inline Vec2 onAxis(double place, std::size_t axis) {
+  return axis == 0 ? Vec2{place, 0} : Vec2{0, place};
 }
 
 /// Returns "across" or "down".
@@ -61,17 +98,17 @@ inline std::string axisName(std::size_t axis) {
   return axis == 0 ? "across" : "down";
 }
 
+/// Returns a length with four digits, such as "0.02 m".
+inline std::string metres(double length) {
+  return numberText(fourDigits(length)) + " m";
+}
+
+inline double degrees(double radians) {
+  return radians * 180 / std::numbers::pi;
+}
+
 /// Returns the half width of the viewing zone of the whole panel at a distance, D tan(F/2) − W/2
 /// along an axis, below 0 if there is none: the closed form of linear lenses.
 double halfZone(const Bench& bench, double distance, std::size_t axis);
-
-/// Returns the share of the panel that sends light to an eye, counted over 800 rays along each
-/// axis; 1 only if its edges do, too.
-double shareSeen(const Bench& bench, const Vec3& eye);
-
-/// Returns the crosstalk between the two eyes of a head at `head`, (L_KW − L_KK)/(L_WK − L_KK) of
-/// the left eye in linear light, in a spot in the panel's middle, if the light that leaves to the
-/// right of `border` is the right eye's.
-double crosstalk(Bench& bench, const Vec3& head, double ipd, double border);
 
 }  // namespace hogelscope

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Luminance of single directions and of plain fields: crosstalk of directions, angular profile and
-// resolution, uniformity, contrast.
+// resolution, uniformity, contrast. Lens sheets share the angular profile.
 #include <algorithm>
 #include <cmath>
 #include <complex>
 #include <numbers>
 
 #include "core/base/bisect.h"
-#include "core/base/text.h"
 #include "measure/measurement.h"
 
 namespace hogelscope {
@@ -15,18 +14,6 @@ namespace hogelscope {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-
-double degrees(double radians) {
-  return radians * 180 / pi;
-}
-
-double luminanceOf(double codeValue) {
-  return linearFromEncoded(codeValue);
-}
-
-Vec2 onAxis(double place, std::size_t axis) {
-  return axis == 0 ? Vec2{place, 0} : Vec2{0, place};
-}
 
 /// The middle direction and hogel of an axis, at which single directions are looked at.
 struct Middle {
@@ -39,15 +26,20 @@ Middle middleOf(const Bench& bench, std::size_t axis) {
   return {axis, bench.display().directions[axis] / 2, bench.middleHogel(axis)};
 }
 
-/// Returns the luminance seen from a direction's middle where only `lit` shines.
+/// Returns the code value of the middle hogel, seen from a direction.
+double valueFrom(Bench& bench, const Middle& middle, const TestLight& light, double direction) {
+  const double place = bench.eyePlaceFor(direction, middle.hogel, middle.axis);
+  return bench.lookAt(light, movedTo(bench.eye(), place, middle.axis),
+                      onAxis(middle.hogel, middle.axis))[0];
+}
+
+/// Returns the luminance seen from a direction where only `lit` shines.
 double seenFrom(Bench& bench, const Middle& middle, int lit, double direction) {
   const MeterAperture aperture(bench);
   const TestLight one = [&](const plugin::Ray& ray) {
     return std::floor(bench.directionOf(ray, middle.axis)) == lit ? white : grey(0);
   };
-  const double place = bench.eyePlaceFor(direction, middle.hogel, middle.axis);
-  return luminanceOf(bench.lookAt(one, movedTo(bench.eye(), place, middle.axis),
-                                  onAxis(middle.hogel, middle.axis))[0]);
+  return linearFromEncoded(valueFrom(bench, middle, one, direction));
 }
 
 /// Returns the closed form: the weight of a direction so many steps away, as a part of its own.
@@ -59,7 +51,7 @@ double kernelForm(const Bench& bench, int steps) {
   const double own = weights[std::size_t(reach)];
   return bench.psf().light == LightModel::linear
              ? weight / own
-             : luminanceOf(whiteCode * weight) / luminanceOf(whiteCode * own);
+             : linearFromEncoded(whiteCode * weight) / linearFromEncoded(whiteCode * own);
 }
 
 /// Whether the window about the middle direction stays in the field.
@@ -75,59 +67,38 @@ void addMatrix(const Bench& bench, const Middle& middle, std::vector<Measurement
     for (int k = -reach; k <= reach; ++k) {
       const int lit = middle.direction + i;
       const int seen = middle.direction + k;
-      Measurement one{"crosstalkMatrix",
-                      "",
-                      "lit=" + std::to_string(lit) + " seen=" + std::to_string(seen),
-                      {},
-                      hasRoom(bench, middle) ? kernelForm(bench, k - i) : noValue,
-                      double(seen),
-                      double(lit)};
-      one.simulate = [=](Bench& b) {
-        return seenFrom(b, middle, lit, seen + 0.5) / seenFrom(b, middle, lit, lit + 0.5);
-      };
-      all.push_back(std::move(one));
+      all.push_back(
+          {"crosstalkMatrix", "", "lit=" + std::to_string(lit) + " seen=" + std::to_string(seen),
+           [=](Bench& b) {
+             return seenFrom(b, middle, lit, seen + 0.5) / seenFrom(b, middle, lit, lit + 0.5);
+           },
+           hasRoom(bench, middle) ? kernelForm(bench, k - i) : noValue, double(seen), double(lit)});
     }
 }
 
 /// The light of the middle direction over the eye's angle.
-void addProfile(const Bench& bench, const Middle& middle, std::vector<Measurement>& all) {
-  constexpr int perDirection = 8;
-  const int reach = bench.psf().windowSize / 2 + 1;
-  const auto angleOf = [middle](const Bench& b, double direction) {
-    const double way = b.eyePlaceFor(direction, middle.hogel, middle.axis) - middle.hogel;
-    return degrees(std::atan2(way, b.distance()));
-  };
-  const auto relative = [middle](Bench& b, double direction) {
-    return seenFrom(b, middle, middle.direction, direction) /
-           seenFrom(b, middle, middle.direction, middle.direction + 0.5);
-  };
+void addMiddleProfile(const Bench& bench, const Middle& middle, std::vector<Measurement>& all) {
   const bool hasForm = hasRoom(bench, middle);
-  for (int k = -reach * perDirection; k < (reach + 1) * perDirection; ++k) {
-    const double direction = middle.direction + (k + 0.5) / perDirection;
-    const double angle = angleOf(bench, direction);
-    const int steps = int(std::floor(direction)) - middle.direction;
-    all.push_back({"angularProfile", "", "angle=" + numberText(fourDigits(angle)) + "°",
-                   [=](Bench& b) { return relative(b, direction); },
-                   hasForm ? kernelForm(bench, steps) : noValue, angle});
-  }
-  double form = noValue;
+  AngularProfile profile{
+      middle.direction,
+      bench.psf().windowSize / 2 + 1,
+      40,
+      [=](const Bench& b, double direction) {
+        const double way = b.eyePlaceFor(direction, middle.hogel, middle.axis) - middle.hogel;
+        return degrees(std::atan2(way, b.distance()));
+      },
+      [=](Bench& b, double direction) { return seenFrom(b, middle, middle.direction, direction); },
+      [=](const Bench& b, double direction) {
+        return hasForm ? kernelForm(b, int(std::floor(direction)) - middle.direction) : noValue;
+      },
+      noValue};
   if (hasForm && bench.pupil().diameter == 0) {
     int steps = 0;
     while (kernelForm(bench, steps + 1) >= 0.5) ++steps;
-    form = std::abs(angleOf(bench, middle.direction + 1 + steps) -
-                    angleOf(bench, middle.direction - steps));
+    profile.width = std::abs(profile.angleOf(bench, middle.direction + 1 + steps) -
+                             profile.angleOf(bench, middle.direction - steps));
   }
-  all.push_back({"angularProfile", "°", "full width at half maximum",
-                 [=](Bench& b) {
-                   const auto edge = [&](double sign) {
-                     const double inside = middle.direction + 0.5;
-                     const Bracket ends{inside, inside + sign * (reach + 1)};
-                     const auto isBright = [&](double at) { return relative(b, at) >= 0.5; };
-                     return angleOf(b, bisect(ends, 40, isBright).inside);
-                   };
-                   return std::abs(edge(1) - edge(-1));
-                 },
-                 form});
+  addProfile(bench, profile, all);
 }
 
 /// Returns the contrast of a wave over directions of so many a period, seen by an eye that moves
@@ -140,10 +111,8 @@ double waveContrast(Bench& bench, const Middle& middle, int period) {
   const int first = middle.direction - period / 2;
   std::complex<double> sum;
   for (int k = 0; k < period; ++k) {
-    const double place = bench.eyePlaceFor(first + k + 0.5, middle.hogel, middle.axis);
-    const double value = bench.lookAt(wave, movedTo(bench.eye(), place, middle.axis),
-                                      onAxis(middle.hogel, middle.axis))[0];
-    sum += bench.waveOf(value) * std::polar(1.0, 2 * pi * (first + k) / period);
+    sum += bench.waveOf(valueFrom(bench, middle, wave, first + k + 0.5)) *
+           std::polar(1.0, 2 * pi * (first + k) / period);
   }
   return std::abs(sum) / period * (period == 2 ? 1 : 2);
 }
@@ -182,52 +151,52 @@ void addAngularResolution(const Bench& bench, const Middle& middle, std::vector<
 }
 
 double whiteAt(Bench& bench, const Vec3& eye, const Vec2& point) {
-  return luminanceOf(bench.lookAt([](const plugin::Ray&) { return white; }, eye, point)[0]);
+  return linearFromEncoded(bench.lookAt([](const plugin::Ray&) { return white; }, eye, point)[0]);
 }
 
-/// Returns least / most of the values that are numbers.
-double evenness(const std::vector<double>& values) {
+/// Returns least / most of what `valueAt` has at 3 × 3 places from −1 to 1, NaN aside.
+template <class ValueAt>
+double evenness(const ValueAt& valueAt) {
   double least = std::numeric_limits<double>::infinity();
   double most = 0;
-  for (const double value : values) {
-    if (std::isnan(value)) continue;
-    least = std::min(least, value);
-    most = std::max(most, value);
-  }
+  for (const double y : {-1.0, 0.0, 1.0})
+    for (const double x : {-1.0, 0.0, 1.0}) {
+      const double value = valueAt(x, y);
+      if (std::isnan(value)) continue;
+      least = std::min(least, value);
+      most = std::max(most, value);
+    }
   return most > 0 ? least / most : noValue;
 }
 
 void addUniformity(const Bench& bench, std::vector<Measurement>& all) {
   const bool isEven = bench.psf().windowSize == 1 || bench.psf().border != PsfBorder::black;
+  const double form = isEven ? 1 : noValue;
   all.push_back({"uniformity", "", "least/most of 9 points of the panel",
                  [](Bench& b) {
-                   const auto [width, height] = b.display().size;
-                   std::vector<double> values;
-                   for (const double y : {-0.4, 0.0, 0.4})
-                     for (const double x : {-0.4, 0.0, 0.4})
-                       values.push_back(whiteAt(b, b.eye(), {x * width, y * height}));
-                   return evenness(values);
+                   const auto& size = b.display().size;
+                   return evenness([&](double x, double y) {
+                     return whiteAt(b, b.eye(), {0.4 * x * size[0], 0.4 * y * size[1]});
+                   });
                  },
-                 isEven ? 1 : noValue});
+                 form});
   all.push_back({"uniformity", "", "least/most of 9 eyes in the viewing zone",
                  [](Bench& b) {
                    const double distance = b.distance();
                    const double across = std::max(halfZone(b, distance, 0), 0.0);
                    const double down = std::max(halfZone(b, distance, 1), 0.0);
-                   std::vector<double> values;
-                   for (const double y : {-0.8, 0.0, 0.8})
-                     for (const double x : {-0.8, 0.0, 0.8})
-                       values.push_back(whiteAt(b, {x * across, y * down, distance}, {0, 0}));
-                   return evenness(values);
+                   return evenness([&](double x, double y) {
+                     return whiteAt(b, {0.8 * x * across, 0.8 * y * down, distance}, {0, 0});
+                   });
                  },
-                 isEven ? 1 : noValue});
+                 form});
 }
 
 void addContrast(std::vector<Measurement>& all) {
   constexpr double infinite = std::numeric_limits<double>::infinity();
   all.push_back({"contrast", "", "full screen, white/black",
                  [](Bench& b) {
-                   const double black = luminanceOf(
+                   const double black = linearFromEncoded(
                        b.lookAt([](const plugin::Ray&) { return grey(0); }, b.eye(), {0, 0})[0]);
                    return whiteAt(b, b.eye(), {0, 0}) / black;
                  },
@@ -247,7 +216,7 @@ void addContrast(std::vector<Measurement>& all) {
                      for (int column = 0; column < 4; ++column) {
                        const Vec2 middle{width * ((column + 0.5) / 4 - 0.5),
                                          height * ((row + 0.5) / 4 - 0.5)};
-                       const double value = luminanceOf(b.lookAt(board, b.eye(), middle)[0]);
+                       const double value = linearFromEncoded(b.lookAt(board, b.eye(), middle)[0]);
                        if (!std::isnan(value)) sums[std::size_t((column + row) % 2)] += value;
                      }
                    return sums[0] / sums[1];
@@ -257,12 +226,38 @@ void addContrast(std::vector<Measurement>& all) {
 
 }  // namespace
 
+void addProfile(const Bench& bench, const AngularProfile& profile, std::vector<Measurement>& all) {
+  constexpr int perDirection = 8;
+  const auto relative = [profile](Bench& b, double direction) {
+    return profile.light(b, direction) / profile.light(b, profile.lit + 0.5);
+  };
+  for (int k = -profile.reach * perDirection; k < (profile.reach + 1) * perDirection; ++k) {
+    const double direction = profile.lit + (k + 0.5) / perDirection;
+    const double angle = profile.angleOf(bench, direction);
+    all.push_back({"angularProfile", "", "angle=" + numberText(fourDigits(angle)) + "°",
+                   [=](Bench& b) { return relative(b, direction); },
+                   profile.closedForm(bench, direction), angle});
+  }
+  const auto widthOf = [profile](auto& b, const auto& lightAt) {
+    const double middle = profile.lit + 0.5;
+    const auto edge = [&](double sign) {
+      const Bracket ends{middle, middle + sign * (profile.reach + 1)};
+      const auto isBright = [&](double direction) { return lightAt(b, direction) >= 0.5; };
+      return profile.angleOf(b, bisect(ends, profile.halvings, isBright).inside);
+    };
+    return std::abs(edge(1) - edge(-1));
+  };
+  all.push_back({"angularProfile", "°", "full width at half maximum",
+                 [=](Bench& b) { return widthOf(b, relative); },
+                 profile.width ? *profile.width : widthOf(bench, profile.closedForm)});
+}
+
 void addPhotometry(const Bench& bench, std::vector<Measurement>& all) {
   const std::size_t axis = mainAxis(bench);
   if (bench.display().directions[axis] > 1) {
     const Middle middle = middleOf(bench, axis);
     addMatrix(bench, middle, all);
-    addProfile(bench, middle, all);
+    addMiddleProfile(bench, middle, all);
     addAngularResolution(bench, middle, all);
   }
   addUniformity(bench, all);

@@ -1,48 +1,67 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // From where a display can be seen: viewing zone, qualified viewing space, crosstalk, parallax.
+// Lens sheets share its map of the zone and its places of the head.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "core/base/bisect.h"
-#include "core/base/text.h"
 #include "measure/measurement.h"
 
 namespace hogelscope {
 
 namespace {
 
-std::string metres(double value) {
-  return numberText(fourDigits(value)) + " m";
-}
-
-double light(double codeValue) {
-  return linearFromEncoded(codeValue);
+/// Returns the slope at the edge of a linear lens' field.
+double edgeSlope(const Bench& bench, std::size_t axis) {
+  return std::tan(bench.display().fov[axis] * std::numbers::pi / 360);
 }
 
 /// Returns the distance from the panel at which all of it is seen from its axis.
 double nearestZone(const Bench& bench, std::size_t axis) {
   const PanelParams& display = bench.display();
-  const double slope = std::tan(display.fov[axis] * std::numbers::pi / 360);
   // D T = (W/2) |1 − D/V|
   const double half = display.size[axis] / 2;
   const double turn = display.viewingDistance == notGiven ? 0 : half / display.viewingDistance;
-  return half / (slope + turn);
+  return half / (edgeSlope(bench, axis) + turn);
 }
 
 /// Returns the share of the panel's side that an eye at `place` and `distance` sees.
 double shareForm(const Bench& bench, double place, double distance, std::size_t axis) {
   const PanelParams& display = bench.display();
-  const double slope = std::tan(display.fov[axis] * std::numbers::pi / 360);
+  const double widest = distance * edgeSlope(bench, axis);
   const double half = display.size[axis] / 2;
   const double turn = display.viewingDistance == notGiven ? 0 : 1 / display.viewingDistance;
   // |(e − x)/D + x/V| ≤ T is an interval of x around e/(1 − D/V).
   const double factor = 1 - distance * turn;
-  if (std::abs(factor) < 1e-12) return std::abs(place) <= slope * distance ? 1 : 0;
+  if (std::abs(factor) < 1e-12) return std::abs(place) <= widest ? 1 : 0;
   const double middle = place / factor;
-  const double reach = slope * distance / std::abs(factor);
+  const double reach = widest / std::abs(factor);
   const double seen = std::min(half, middle + reach) - std::max(-half, middle - reach);
   return std::max(seen, 0.0) / (2 * half);
+}
+
+/// Returns the share of the panel that sends light to an eye, counted over 800 rays along each
+/// axis; 1 only if its edges do, too.
+double shareSeen(const Bench& bench, const Vec3& eye) {
+  constexpr int count = 800;
+  const Display panel(bench.display());
+  const auto isSeen = [&](std::size_t axis, double share) {
+    const double place = bench.display().size[axis] * (share - 0.5);
+    const Vec3 point = axis == 0 ? Vec3{place, 0, 0} : Vec3{0, place, 0};
+    const auto hit = panel.intersectPlane(eye, point - eye);
+    if (!hit) return false;
+    const double direction = axis == 0 ? hit->u : hit->v;
+    return direction >= 0 && direction < bench.display().directions[axis];
+  };
+  double product = 1;
+  for (const std::size_t axis : {0, 1}) {
+    int seen = 0;
+    for (int k = 0; k < count; ++k) seen += isSeen(axis, (k + 0.5) / count) ? 1 : 0;
+    if (seen == count && !(isSeen(axis, 1e-9) && isSeen(axis, 1 - 1e-9))) --seen;
+    product *= double(seen) / count;
+  }
+  return product;
 }
 
 /// Searches a place along an axis, from the eye on, where `isIn` ends; halves the last step.
@@ -58,24 +77,19 @@ double endOf(double from, double step, double farthest, const IsIn& isIn) {
 
 void addZone(const Bench& bench, std::vector<Measurement>& all) {
   const double distance = bench.distance();
-  for (const std::size_t axis : {0, 1}) {
-    const bool hasForm =
-        bench.isLinear(axis) && bench.display().lens == HogelLensModel::rectilinear;
-    const double half = halfZone(bench, distance, axis);
+  const bool hasForm = bench.display().lens == HogelLensModel::rectilinear;
+  for (const std::size_t axis : {0, 1})
     all.push_back({"viewingZone", "m", "whole panel " + axisName(axis) + " z=" + metres(distance),
                    [axis](Bench& b) {
                      const auto isIn = [&](double place) {
-                       Vec3 eye{0, 0, b.distance()};
-                       return shareSeen(b, movedTo(eye, place, axis)) == 1;
+                       return shareSeen(b, movedTo({0, 0, b.distance()}, place, axis)) == 1;
                      };
                      if (!isIn(0)) return 0.0;
                      const double step = b.distance() / 20;
                      return endOf(0, step, 1000 * b.distance(), isIn) -
                             endOf(0, -step, 1000 * b.distance(), isIn);
                    },
-                   hasForm ? std::max(2 * half, 0.0) : noValue});
-  }
-  const bool hasForm = bench.display().lens == HogelLensModel::rectilinear;
+                   hasForm ? std::max(2 * halfZone(bench, distance, axis), 0.0) : noValue});
   all.push_back({"viewingZone", "m", "whole panel from z",
                  [](Bench& b) {
                    const auto isIn = [&](double z) { return shareSeen(b, {0, 0, z}) == 1; };
@@ -84,20 +98,13 @@ void addZone(const Bench& bench, std::vector<Measurement>& all) {
                    return isIn(z) ? endOf(z, -z / 60, z, isIn) : noValue;
                  },
                  hasForm ? std::max(nearestZone(bench, 0), nearestZone(bench, 1)) : noValue});
-  // Seen from above.
-  constexpr int columns = 41;
-  constexpr int rows = 25;
-  const double reach = 1.2 * std::max(distance, bench.display().size[0]);
-  for (int row = 0; row < rows; ++row)
-    for (int column = 0; column < columns; ++column) {
-      const double z = 2 * distance * (row + 0.5) / rows;
-      const double x = reach * (2 * (column + 0.5) / columns - 1);
-      Measurement one{
-          "viewingZone", "", "share x=" + metres(x) + " z=" + metres(z), {}, noValue, x, z};
-      one.simulate = [x, z](Bench& b) { return shareSeen(b, {x, 0, z}); };
-      if (hasForm) one.closedForm = shareForm(bench, x, z, 0) * shareForm(bench, 0, z, 1);
-      all.push_back(std::move(one));
-    }
+  addZoneMap(bench,
+             {shareSeen,
+              [&](const Vec3& eye) {
+                return hasForm ? shareForm(bench, eye.x, eye.z, 0) * shareForm(bench, 0, eye.z, 1)
+                               : noValue;
+              }},
+             all);
 }
 
 /// Returns the relative luminance of a white field over the whole panel.
@@ -109,9 +116,25 @@ double luminanceFrom(Bench& bench, const Vec3& eye) {
     const double y = height * ((row + 0.5) / side - 0.5);
     for (const BenchPoint& point : bench.look([](const plugin::Ray&) { return white; }, eye, 0,
                                               -width / 2, width / 2, side, y))
-      sum += light(point.values[0]);
+      sum += linearFromEncoded(point.values[0]);
   }
   return sum / (side * side);
+}
+
+/// Returns the crosstalk between the two eyes of a head at `head`, (L_KW − L_KK)/(L_WK − L_KK) of
+/// the left eye in linear light, in a spot in the panel's middle, if the light that leaves to the
+/// right of `border` is the right eye's.
+double crosstalk(Bench& bench, const Vec3& head, double ipd, double border) {
+  const MeterAperture aperture(bench);
+  const Vec3 left{head.x - ipd / 2, head.y, head.z};
+  const double hogel = bench.middleHogel(0);
+  const TestLight channels = [&](const plugin::Ray& ray) {
+    const bool isRight = pointOf(ray, head.z).x > border;
+    return isRight ? CodeValues{whiteCode, 0, 0} : CodeValues{0, whiteCode, 0};
+  };
+  const auto [right, own, black] = bench.lookAt(channels, left, {hogel, 0});
+  return (linearFromEncoded(right) - linearFromEncoded(black)) /
+         (linearFromEncoded(own) - linearFromEncoded(black));
 }
 
 /// The thresholds of the qualified viewing space (Salmimaa and Järvenpää, J. SID 17, 2009).
@@ -130,9 +153,7 @@ void addQualified(const Bench& bench, double ipd, std::vector<Measurement>& all)
   const auto measured = [ipd](Bench& b, std::size_t axis, double sign) {
     const double luminance = luminanceFrom(b, b.eye());
     const auto isIn = [&](double place) {
-      Vec3 head = b.eye();
-      (axis == 0 ? head.x : axis == 1 ? head.y : head.z) = place;
-      return isQualified(b, head, ipd, luminance);
+      return isQualified(b, movedTo(b.eye(), place, axis), ipd, luminance);
     };
     const double from = axis == 0 ? b.eye().x : axis == 1 ? b.eye().y : b.eye().z;
     if (!isIn(from)) return noValue;
@@ -172,26 +193,9 @@ double crosstalkForm(const Bench& bench, const Vec3& head, double ipd, double bo
   if (bench.psf().border != PsfBorder::renormalise && (seen < reach || seen >= count - reach))
     return noValue;
   const double sum = wrong + own;
-  return bench.psf().light == LightModel::linear
-             ? wrong / own
-             : light(whiteCode * wrong / sum) / light(whiteCode * own / sum);
-}
-
-void addCrosstalk(const Bench& bench, double ipd, std::vector<Measurement>& all) {
-  constexpr int steps = 9;
-  const Vec3 eye = bench.eye();
-  for (int step = -steps; step <= steps; ++step) {
-    const double x = 0.45 * ipd * step / steps;
-    const Vec3 head{eye.x + x, eye.y, eye.z};
-    Measurement one{"crosstalk", "", "x=" + metres(x), {}, noValue, x};
-    one.simulate = [=](Bench& b) { return crosstalk(b, head, ipd, eye.x); };
-    if (bench.pupil().diameter == 0) one.closedForm = crosstalkForm(bench, head, ipd, eye.x);
-    // The designated eye position comes first.
-    if (step == 0)
-      all.insert(all.end() - steps, std::move(one));
-    else
-      all.push_back(std::move(one));
-  }
+  return bench.psf().light == LightModel::linear ? wrong / own
+                                                 : linearFromEncoded(whiteCode * wrong / sum) /
+                                                       linearFromEncoded(whiteCode * own / sum);
 }
 
 /// Returns the way that the eye has to move until a hogel shows its next direction.
@@ -210,8 +214,8 @@ double stepByMoving(Bench& bench, std::size_t axis) {
   double before = noValue;
   for (int k = 0; k < directions * perDirection; ++k) {
     const double place = middle + (k - directions * perDirection / 2) * step;
-    const Vec2 point = axis == 0 ? Vec2{hogel, 0} : Vec2{0, hogel};
-    const double value = bench.lookAt(noise, movedTo(bench.eye(), place, axis), point)[0];
+    const double value =
+        bench.lookAt(noise, movedTo(bench.eye(), place, axis), onAxis(hogel, axis))[0];
     if (!std::isnan(before) && !std::isnan(value) && value != before) changes.push_back(place);
     before = value;
   }
@@ -223,49 +227,53 @@ double stepByMoving(Bench& bench, std::size_t axis) {
 
 double halfZone(const Bench& bench, double distance, std::size_t axis) {
   const PanelParams& display = bench.display();
-  const double slope = std::tan(display.fov[axis] * std::numbers::pi / 360);
   const double turn = display.viewingDistance == notGiven ? 0 : distance / display.viewingDistance;
-  return distance * slope - display.size[axis] / 2 * std::abs(1 - turn);
+  return distance * edgeSlope(bench, axis) - display.size[axis] / 2 * std::abs(1 - turn);
 }
 
-double shareSeen(const Bench& bench, const Vec3& eye) {
-  constexpr int count = 800;
-  const Display panel(bench.display());
-  const auto isSeen = [&](std::size_t axis, double share) {
-    const double place = bench.display().size[axis] * (share - 0.5);
-    const Vec3 point = axis == 0 ? Vec3{place, 0, 0} : Vec3{0, place, 0};
-    const auto hit = panel.intersectPlane(eye, point - eye);
-    if (!hit) return false;
-    const double direction = axis == 0 ? hit->u : hit->v;
-    return direction >= 0 && direction < bench.display().directions[axis];
-  };
-  double product = 1;
-  for (const std::size_t axis : {0, 1}) {
-    int seen = 0;
-    for (int k = 0; k < count; ++k) seen += isSeen(axis, (k + 0.5) / count) ? 1 : 0;
-    if (seen == count && !(isSeen(axis, 1e-9) && isSeen(axis, 1 - 1e-9))) --seen;
-    product *= double(seen) / count;
-  }
-  return product;
+void addZoneMap(const Bench& bench, const EyeFigure& share, std::vector<Measurement>& all) {
+  constexpr int columns = 41;
+  constexpr int rows = 25;
+  const double distance = bench.distance();
+  const double reach = 1.2 * std::max(distance, bench.display().size[0]);
+  for (int row = 0; row < rows; ++row)
+    for (int column = 0; column < columns; ++column) {
+      const double z = 2 * distance * (row + 0.5) / rows;
+      const double x = reach * (2 * (column + 0.5) / columns - 1);
+      const Vec3 eye{x, 0, z};
+      all.push_back({"viewingZone", "", "share x=" + metres(x) + " z=" + metres(z),
+                     [eye, simulate = share.simulate](Bench& b) { return simulate(b, eye); },
+                     share.closedForm(eye), x, z});
+    }
 }
 
-double crosstalk(Bench& bench, const Vec3& head, double ipd, double border) {
-  const MeterAperture aperture(bench);
-  const Vec3 left{head.x - ipd / 2, head.y, head.z};
-  const double hogel = bench.middleHogel(0);
-  const TestLight channels = [&](const plugin::Ray& ray) {
-    const bool isRight = pointOf(ray, head.z).x > border;
-    return isRight ? CodeValues{whiteCode, 0, 0} : CodeValues{0, whiteCode, 0};
+void addCrosstalk(const Bench& bench, double ipd, const EyeFigure& crosstalk,
+                  std::vector<Measurement>& all) {
+  constexpr int steps = 9;
+  const auto add = [&](int step) {
+    const double x = 0.45 * ipd * step / steps;
+    const Vec3 head{bench.eye().x + x, bench.eye().y, bench.eye().z};
+    all.push_back({"crosstalk", "", "x=" + metres(x),
+                   [head, simulate = crosstalk.simulate](Bench& b) { return simulate(b, head); },
+                   crosstalk.closedForm(head), x});
   };
-  const auto [right, own, black] = bench.lookAt(channels, left, {hogel, 0});
-  return (light(right) - light(black)) / (light(own) - light(black));
+  add(0);
+  for (int step = -steps; step <= steps; ++step)
+    if (step != 0) add(step);
 }
 
 void addViewingSpace(const Bench& bench, double ipd, std::vector<Measurement>& all) {
   addZone(bench, all);
   if (bench.display().directions[0] > 1) {
     addQualified(bench, ipd, all);
-    addCrosstalk(bench, ipd, all);
+    const double border = bench.eye().x;
+    const bool hasForm = bench.pupil().diameter == 0;
+    addCrosstalk(bench, ipd,
+                 {[=](Bench& b, const Vec3& head) { return crosstalk(b, head, ipd, border); },
+                  [&](const Vec3& head) {
+                    return hasForm ? crosstalkForm(bench, head, ipd, border) : noValue;
+                  }},
+                 all);
   }
   const std::size_t axis = mainAxis(bench);
   if (bench.display().directions[axis] < 2) return;

@@ -267,8 +267,7 @@ void printSheetNumbers(std::ostream& out, const SheetDisplay& display) {
   const double distance = display.viewingDistance;
   const Vec3 eye{0, 0, distance};
   const SheetNumbers numbers = sheetNumbers(display, views, eye);
-  const auto depths = [&](int count) {
-    const SheetNumbers of = sheetNumbers(display, count, eye);
+  const auto depths = [](const SheetNumbers& of) {
     return rounded(1000 * of.depthFront, 1) + " mm in front and " +
            rounded(1000 * of.depthBehind, 1) + " mm behind";
   };
@@ -279,8 +278,8 @@ void printSheetNumbers(std::ostream& out, const SheetDisplay& display) {
       << " mm apart)\n"
       << "views       of " << views << ": " << rounded(numbers.viewsPerMetre, 1)
       << " pass in a metre, " << rounded(numbers.lobe, 2) << " (rms) mix in one place\n"
-      << "sharp       with " << views << " views " << depths(views) << ", with any number "
-      << depths(many) << "\n";
+      << "sharp       with " << views << " views " << depths(numbers) << ", with any number "
+      << depths(sheetNumbers(display, many, eye)) << "\n";
 }
 
 void printSheet(std::ostream& out, const SheetCalibration& calibration,

@@ -33,13 +33,6 @@ double sinc(double x) {
   return x == 0 ? 1 : std::sin(std::numbers::pi * x) / (std::numbers::pi * x);
 }
 
-/// Returns the depths in front and behind at which |z| s D/(D − z) is p.
-std::array<double, 2> depthsOf(double p, double s, double distance) {
-  const double behind = s * distance - p;
-  return {p * distance / (s * distance + p),
-          behind > 0 ? p * distance / behind : std::numeric_limits<double>::infinity()};
-}
-
 /// A ray meets a lens u beside its middle, a pixel d beside the pixel's, and a row e beside the
 /// row's, each even over the width of a lens, a pixel, a row; the sub-pixel's place is then w d +
 /// m e from the ray's end across the lenses, and shows a view r of a view beside the ray's own.
@@ -113,9 +106,11 @@ SheetNumbers sheetNumbers(const SheetDisplay& display, int views, const Vec3& ey
   numbers.flips = {-half - of.m * eye.y, half - of.m * eye.y};
   numbers.depthFront = sharpDepth(of, views, eye.z, numbers.slopeSpread, 1);
   numbers.depthBehind = sharpDepth(of, views, eye.z, numbers.slopeSpread, -1);
-  const auto shifted = depthsOf(of.p, numbers.viewSlope, eye.z);
-  numbers.viewsFront = shifted[0];
-  numbers.viewsBehind = shifted[1];
+  // |z| s D/(D − z) = p with the s of one view
+  const double shift = numbers.viewSlope * eye.z;
+  numbers.viewsFront = of.p * eye.z / (shift + of.p);
+  numbers.viewsBehind =
+      shift > of.p ? of.p * eye.z / (shift - of.p) : std::numeric_limits<double>::infinity();
   return numbers;
 }
 

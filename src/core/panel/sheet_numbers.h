@@ -36,6 +36,8 @@ struct SheetNumbers {
   double viewsFront = 0;   ///< what is nearer shifts by more than a lens from view to view; ≥ 0
   double viewsBehind = 0;  ///< likewise behind the panel
 
+  /// Returns x of the cone's middle at the eye's distance.
+  [[nodiscard]] double middle() const { return (flips[0] + flips[1]) / 2; }
   /// Returns the width of the cone at the eye's distance, from one flip to the next.
   [[nodiscard]] double width() const { return flips[1] - flips[0]; }
   /// Returns the share of the places of a head from which a flip is between its eyes, so that they
