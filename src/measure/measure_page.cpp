@@ -204,11 +204,9 @@ void addMatrix(const std::vector<MeasuredFigure>& figures, std::vector<Figure>& 
                    pointsOf(all, "seen", "lit")});
 }
 
-/// Whether a figure belongs into the table: its name has few places.
+/// Whether a figure belongs into the table: its name has few places, or it is no ratio of a plot.
 bool isInTable(const MeasuredFigure& one, const std::map<std::string, int>& counts) {
-  return counts.at(one.of.figure) <= 20 || one.of.where.starts_with("whole") ||
-         one.of.where.starts_with("full") || one.of.where == "x=" + numberText(0) + " m" ||
-         (one.of.figure == "crosstalk" && one.of.across == 0);
+  return counts.at(one.of.figure) <= 20 || !one.of.unit.empty();
 }
 
 std::string tableOf(const std::vector<MeasuredFigure>& figures) {
@@ -233,15 +231,8 @@ std::string tableOf(const std::vector<MeasuredFigure>& figures) {
   return text + "</tbody></table></div>\n" + latexPart(latexTable(heads, rows));
 }
 
-/// The largest difference of ratios to their closed forms.
-std::string agreementOf(const std::vector<MeasuredFigure>& figures) {
-  double most = 0;
-  int count = 0;
-  for (const MeasuredFigure& one : figures) {
-    if (one.of.figure != "mtf" || std::isnan(one.difference())) continue;
-    most = std::max(most, std::abs(one.difference()));
-    ++count;
-  }
+std::string agreementText(const std::vector<MeasuredFigure>& figures) {
+  const auto [count, most] = agreementOf(figures);
   if (count == 0) return {};
   return "<p>Over " + std::to_string(count) +
          " gratings, simulated contrast and its law differ by at most " +
@@ -274,6 +265,16 @@ std::string facts(const MeasureRequest& request, const Bench& bench) {
 }
 
 }  // namespace
+
+Agreement agreementOf(const std::vector<MeasuredFigure>& figures) {
+  Agreement agreement;
+  for (const MeasuredFigure& one : figures) {
+    if (one.of.figure != "mtf" || std::isnan(one.difference())) continue;
+    agreement.most = std::max(agreement.most, std::abs(one.difference()));
+    ++agreement.gratings;
+  }
+  return agreement;
+}
 
 ReadUnit readUnitOf(const MeasuredFigure& one) {
   constexpr double decimetre = 0.1;
@@ -323,7 +324,7 @@ std::vector<Figure> plotsOf(const Bench& bench, const std::vector<MeasuredFigure
 std::string measurePage(const MeasureRequest& request, const Bench& bench,
                         const std::vector<MeasuredFigure>& figures) {
   std::string body = "<h1>The display of " + escaped(request.name) + "</h1>\n" +
-                     facts(request, bench) + agreementOf(figures) + tableOf(figures);
+                     facts(request, bench) + agreementText(figures) + tableOf(figures);
   for (const Figure& plot : plotsOf(bench, figures))
     body += "<h2>" + plot.title + "</h2>\n" + figureTag(plot);
   return pageOf("Hogelscope measures: " + request.name, body);

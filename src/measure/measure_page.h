@@ -19,6 +19,13 @@ MapPlot zoneMap(const Bench& bench, const std::vector<MeasuredFigure>& figures);
 /// Returns the plots of all figures that have several places.
 std::vector<Figure> plotsOf(const Bench& bench, const std::vector<MeasuredFigure>& figures);
 
+/// How far simulated contrast is from its law.
+struct Agreement {
+  int gratings = 0;  ///< that have both
+  double most = 0;   ///< |difference|
+};
+Agreement agreementOf(const std::vector<MeasuredFigure>& figures);
+
 /// A length below a decimetre is read in mm; other values are read in their own unit.
 struct ReadUnit {
   std::string name;

@@ -9,6 +9,7 @@
 #include <limits>
 #include <numbers>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -34,6 +35,30 @@ struct Measurement {
   double across = 0;  ///< the place in the figure's plot
   double up = 0;
 };
+
+/// What a sweep measures a figure with.
+enum class SweptWith { nothing, bench, views, clock };
+
+/// A figure and its readers. Its value for a display as a whole is that of the first measurement
+/// with its name and unit.
+struct FigureRow {
+  std::string_view name;
+  std::string_view unit{};  ///< of that value; "" for ratios
+  bool isHeadline = false;  ///< whether --measure prints the value
+  SweptWith sweptWith = SweptWith::nothing;
+  const char* title = "";  ///< in the window's sweep, without the unit
+  int inWindow = 0;        ///< place among the window's sweeps, from 1 on; 0: none
+
+  [[nodiscard]] bool isOf(const Measurement& one) const {
+    return one.figure == name && one.unit == unit;
+  }
+};
+
+/// Returns all figures of hogels, of lens sheets and of sweeps; those of --measure in the order in
+/// which it prints them.
+std::span<const FigureRow> figureRows();
+/// Returns the row of a name; of another name, such as "mtf:0.05", that of a nameless ratio.
+const FigureRow& figureRow(std::string_view name);
 
 /// Returns all measurements of the bench's display. `ipd` is the distance between the eyes, `pupil`
 /// a diameter for what needs one and whose state has none, metres.

@@ -5,7 +5,6 @@
 #include <chrono>
 #include <cmath>
 #include <functional>
-#include <map>
 
 #include "campaign/campaign.h"
 #include "campaign/file_hashes.h"
@@ -32,36 +31,10 @@ namespace {
 constexpr std::string_view mtfPrefix = "mtf:";
 constexpr const char* idealPsnr = "psnr:ideal";
 constexpr const char* designPsnr = "psnr:design";
-constexpr const char* milliseconds = "milliseconds";
-
-/// The figures of --measure that stand for a display with one value, the first of their rows that
-/// has the unit.
-const std::map<std::string, std::string>& singleFigures() {
-  static const std::map<std::string, std::string> units{{"hogelPitch", "m"},
-                                                        {"slopeStep", ""},
-                                                        {"degreesPerDirection", "°"},
-                                                        {"directionsPerPupil", ""},
-                                                        {"megapixels", "Mpx"},
-                                                        {"viewingZone", "m"},
-                                                        {"qualifiedViewingSpace", "m"},
-                                                        {"crosstalk", ""},
-                                                        {"angularProfile", "°"},
-                                                        {"angularResolution", "°"},
-                                                        {"spatialResolution", "1/mm"},
-                                                        {"uniformity", ""},
-                                                        {"contrast", ""},
-                                                        {"depthOfField", "m"},
-                                                        {"depthOfField50", "m"},
-                                                        {"depthOfField10", "m"},
-                                                        {"depthFront", "m"},
-                                                        {"depthBehind", "m"},
-                                                        {"parallaxStep", "m"},
-                                                        {"diffraction", ""}};
-  return units;
-}
 
 bool needsViews(const std::string& figure) {
-  return figure == idealPsnr || figure == designPsnr || figure == milliseconds;
+  const SweptWith with = figureRow(figure).sweptWith;
+  return with == SweptWith::views || with == SweptWith::clock;
 }
 
 /// The views of a session's states, both eyes of those that have two.
@@ -139,24 +112,24 @@ class DesignFigures {
       if (z >= m_bench.distance()) return noValue;
       return contrast(m_bench, {1 / (2 * m_bench.pitch(axis)), z}, axis);
     }
-    if (!needsViews(figure)) return measured(figure);
+    const FigureRow& row = figureRow(figure);
+    if (row.sweptWith == SweptWith::bench) return measured(row);
     if (figure == designPsnr && !m_reference) m_reference.emplace(m_base, m_progress);
     if (!m_views && m_reference && readTheSame(m_session, m_base))
       m_views.emplace(m_session, *m_reference);
     if (!m_views) m_views.emplace(m_session, m_progress);
-    if (figure == milliseconds) return millisecondsOf(*m_views, m_progress);
+    if (row.sweptWith == SweptWith::clock) return millisecondsOf(*m_views, m_progress);
     if (figure == idealPsnr) return psnrOf(*m_views, *m_views, true, m_progress);
     return psnrOf(*m_views, *m_reference, false, m_progress);
   }
 
  private:
-  double measured(const std::string& figure) {
+  double measured(const FigureRow& row) {
     if (m_all.empty()) m_all = measurementsOf(m_session, m_bench);
-    const std::string& unit = singleFigures().at(figure);
-    for (const Measurement& one : m_all)
-      if (one.figure == figure && one.unit == unit)
-        return one.simulate ? one.simulate(m_bench) : one.closedForm;
-    return noValue;
+    const auto one =
+        std::ranges::find_if(m_all, [&row](const Measurement& any) { return row.isOf(any); });
+    if (one == m_all.end()) return noValue;
+    return one->simulate ? one->simulate(m_bench) : one->closedForm;
   }
 
   const Session& m_session;
@@ -220,16 +193,13 @@ void checkParameters(const SweepRequest& request, const Design& design) {
 
 }  // namespace
 
-std::string unitOfFigure(const std::string& figure) {
-  if (figure == milliseconds) return "ms";
-  if (figure == idealPsnr || figure == designPsnr) return "dB";
-  const auto unit = singleFigures().find(figure);
-  return unit == singleFigures().end() ? "" : unit->second;
-}
-
 void checkFigures(const SweepTable& table, const Session& session) {
-  std::vector<std::string_view> names{"mtf:0", idealPsnr, designPsnr, milliseconds};
-  for (const auto& [name, unit] : singleFigures()) names.push_back(name);
+  std::vector<std::string_view> names{"mtf:0"}, ofMeasure;
+  for (const FigureRow& row : figureRows())
+    if (row.sweptWith != SweptWith::nothing)
+      (row.sweptWith == SweptWith::bench ? ofMeasure : names).push_back(row.name);
+  std::ranges::sort(ofMeasure);
+  names.insert(names.end(), ofMeasure.begin(), ofMeasure.end());
   for (const std::string& figure : table.figures) {
     if (figure == idealPsnr) requireLive(session);
     const bool isMtf = figure.starts_with(mtfPrefix) &&

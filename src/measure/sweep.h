@@ -79,9 +79,6 @@ std::string yieldText(const SweepTable& table, const std::vector<SweepRow>& rows
 /// the Pareto front, as designs that differ in nothing else show; "" if there are none.
 std::string effectText(const SweepTable& table, const std::vector<SweepRow>& rows);
 
-/// Returns the unit of a known figure; "" for ratios.
-std::string unitOfFigure(const std::string& figure);
-
 /// Returns "sweep.csv".
 std::string csv(const SweepTable& table, const std::vector<SweepRow>& rows);
 

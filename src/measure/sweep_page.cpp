@@ -8,6 +8,7 @@
 #include "core/base/colour_map.h"
 #include "core/base/text.h"
 #include "io/documents/light_field_params.h"
+#include "measure/measure_page.h"
 #include "measure/sweep.h"
 #include "page/html.h"
 #include "page/plot.h"
@@ -178,11 +179,6 @@ std::string scatterPlot(const std::vector<Column>& all, const std::vector<SweepR
   return text + "</svg>\n";
 }
 
-std::string cell(double value) {
-  if (std::isnan(value)) return "–";
-  return std::isinf(value) ? "∞" : numberText(fourDigits(value));
-}
-
 /// Finds the units of a session's parameters by their names in overrides.
 class ParameterUnits : public ParameterVisitor {
  public:
@@ -236,7 +232,7 @@ std::vector<std::string> headsOf(const SweepRequest& request) {
   const ParameterUnits units(request.session);
   for (const SweepParameter& parameter : table.parameters)
     add(parameter.name, units.of(parameter.name));
-  for (const std::string& figure : table.figures) add(figure, unitOfFigure(figure));
+  for (const std::string& figure : table.figures) add(figure, std::string(figureRow(figure).unit));
   return heads;
 }
 
@@ -257,7 +253,7 @@ std::string tableOf(const SweepRequest& request, const std::vector<SweepRow>& ro
   for (std::size_t k = 0; k < rows.size(); ++k) {
     std::vector<std::string> cells{std::to_string(k + 1)};
     for (const std::string& value : rows[k].design) cells.push_back(shortened(value));
-    for (const double value : rows[k].figures) cells.push_back(cell(value));
+    for (const double value : rows[k].figures) cells.push_back(readValue(value));
     if (!table.pareto.empty()) cells.emplace_back(rows[k].isPareto ? "yes" : "");
     text += "<tr>";
     for (const std::string& one : cells) text += "<td class=\"n\">" + escaped(one) + "</td>";

@@ -5,6 +5,7 @@
 #include <map>
 
 #include "core/base/text.h"
+#include "measure/measurement.h"
 #include "measure/sweep.h"
 
 namespace hogelscope {
@@ -127,7 +128,7 @@ std::string yieldText(const SweepTable& table, const std::vector<SweepRow>& rows
 std::string effectText(const SweepTable& table, const std::vector<SweepRow>& rows) {
   std::vector<std::size_t> figures, goals;
   for (std::size_t k = 0; k < table.figures.size(); ++k) {
-    if (table.figures[k] == "milliseconds") continue;  // differs in every run
+    if (figureRow(table.figures[k]).sweptWith == SweptWith::clock) continue;  // never alike
     figures.push_back(k);
     if (std::ranges::find(table.pareto, table.figures[k], &SweepGoal::figure) != table.pareto.end())
       goals.push_back(k);

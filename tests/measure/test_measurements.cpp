@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <set>
 
 #include "measure/measure_run.h"
 
@@ -118,6 +119,27 @@ class TestMeasurements : public QObject {
     QVERIFY(compared["mtf"] > 25);
     QVERIFY(compared["viewingZone"] > 1000);
     if (kind < 3) QCOMPARE(compared.size(), tolerances.size());
+  }
+
+  /// The list of figures has all that are measured, with the unit of a measurement, and no others.
+  void areListed() {
+    PanelParams sheet;
+    sheet.sheet.emplace();
+    sheet.sheet->calibration.params = {5, -6, 0.1, 50, {180, 120}, 40};
+    sheet.size = LensSheet(*sheet.sheet).size();
+    sheet.hogels = sheet.sheet->calibration.params.panel;
+    sheet.directions = {12, 1};
+    std::set<std::string> valued;
+    for (const PanelParams& display : {displayOf(64, 24), sheet}) {
+      const Bench bench = benchOf(sessionOf(display), display);
+      for (const Measurement& one : measurementsOf(sessionOf(display), bench)) {
+        QVERIFY2(figureRow(one.figure).name == one.figure, one.figure.c_str());
+        if (figureRow(one.figure).isOf(one)) valued.insert(one.figure);
+      }
+    }
+    for (const FigureRow& row : figureRows())
+      if (row.sweptWith == SweptWith::nothing || row.sweptWith == SweptWith::bench)
+        QVERIFY2(valued.contains(std::string(row.name)), std::string(row.name).c_str());
   }
 
   /// Crosstalk and angles are measured through 1° at most; contrast through the eye's own pupil.

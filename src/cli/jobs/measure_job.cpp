@@ -21,20 +21,16 @@ namespace {
 
 /// Prints the figures that stand for a display.
 void printFigures(const Measured& measured) {
-  for (const char* const name :
-       {"hogelPitch", "degreesPerDirection", "viewsPerMetre", "viewingCone", "flip", "pseudoscopic",
-        "lobe", "viewingZone", "crosstalk", "angularProfile", "depthOfField", "depthFront",
-        "depthBehind", "viewsFront", "viewsBehind", "parallaxStep"}) {
-    for (const MeasuredFigure& one : measured.figures) {
-      if (one.of.figure != name || (one.of.unit.empty() && one.of.across != 0)) continue;
-      const auto [unit, factor] = readUnitOf(one);
-      std::cout << "  " << name << " (" << one.of.where << "): " << readValue(factor * one.value)
-                << (unit.empty() ? "" : " ") << unit;
-      if (!std::isnan(one.of.closedForm))
-        std::cout << ", closed form " << readValue(factor * one.of.closedForm);
-      std::cout << "\n";
-      break;
-    }
+  for (const FigureRow& row : figureRows()) {
+    const auto one = std::ranges::find_if(
+        measured.figures, [&row](const MeasuredFigure& any) { return row.isOf(any.of); });
+    if (!row.isHeadline || one == measured.figures.end()) continue;
+    const auto [unit, factor] = readUnitOf(*one);
+    std::cout << "  " << row.name << " (" << one->of.where
+              << "): " << readValue(factor * one->value) << (unit.empty() ? "" : " ") << unit;
+    if (!std::isnan(one->of.closedForm))
+      std::cout << ", closed form " << readValue(factor * one->of.closedForm);
+    std::cout << "\n";
   }
 }
 

@@ -48,14 +48,6 @@ std::vector<MeasuredFigure> mapFigures(const Session& session, const PanelParams
   return figures;
 }
 
-double farthestFromForms(const std::vector<MeasuredFigure>& figures) {
-  double most = 0;
-  for (const MeasuredFigure& one : figures)
-    if (one.of.figure == "mtf" && !std::isnan(one.difference()))
-      most = std::max(most, std::abs(one.difference()));
-  return most;
-}
-
 }  // namespace
 
 MeasureWidget::MeasureWidget(QWidget* parent)
@@ -278,7 +270,7 @@ void MeasureWidget::simulate() {
     const auto figures = mapFigures(session, panel, true, part(progress, 0.3, 1));
     const Bench bench = benchOf(session, panel);
     return [this, session, contrast = mtfMap(bench, figures), zone = zoneMap(bench, figures),
-            most = farthestFromForms(figures)] {
+            most = agreementOf(figures).most] {
       m_progress->hide();
       if (session != ofCurrent()) return;
       m_shown.contrast = contrast;

@@ -12,6 +12,7 @@
 #include "gui/session/session_forms.h"
 #include "gui/widgets/polled_bar.h"
 #include "gui/widgets/task.h"
+#include "measure/measurement.h"
 
 namespace hogelscope {
 
@@ -19,21 +20,13 @@ namespace {
 
 constexpr std::size_t mostValues = 12;  // of a sweep
 
-struct SweptFigure {
-  const char* name;
-  const char* title;
-};
-
-/// The figures that a sweep measures; the last one needs a live scene.
-constexpr std::array figures{SweptFigure{"depthOfField50", "Depth at contrast 0.5, m"},
-                             SweptFigure{"depthOfField10", "Depth at contrast 0.1, m"},
-                             SweptFigure{"depthFront", "Sharp in front, m"},
-                             SweptFigure{"viewingZone", "Viewing zone's width, m"},
-                             SweptFigure{"crosstalk", "Crosstalk of two eyes"},
-                             SweptFigure{"angularResolution", "Angular resolution, °"},
-                             SweptFigure{"spatialResolution", "Detail on the panel, 1/mm"},
-                             SweptFigure{"megapixels", "Pixels, Mpx"},
-                             SweptFigure{"psnr:ideal", "PSNR to the ideal view, dB"}};
+/// Returns the figures that a sweep measures; the last one needs a live scene.
+std::vector<FigureRow> sweptFigures() {
+  std::vector<FigureRow> figures;
+  std::ranges::copy_if(figureRows(), std::back_inserter(figures), &FigureRow::inWindow);
+  std::ranges::sort(figures, {}, &FigureRow::inWindow);
+  return figures;
+}
 
 /// Returns the values of a sweep, evenly spaced as the parameter's slider is.
 std::vector<double> valuesOf(const DesignParameter& parameter, double from, double to) {
@@ -74,7 +67,10 @@ SweepWidget::SweepWidget(SessionModel* model, std::function<Hold()> hold, QWidge
   m_note->hide();
   for (const DesignParameter& one : designParameters()) m_parameter->addItem(one.label);
   m_parameter->setCurrentIndex(1);
-  for (const SweptFigure& one : figures) m_figure->addItem(tr(one.title));
+  for (const FigureRow& one : sweptFigures()) {
+    const QString unit = QString::fromUtf8(one.unit.data(), qsizetype(one.unit.size()));
+    m_figure->addItem(unit.isEmpty() ? tr(one.title) : tr(one.title) + ", " + unit);
+  }
   for (QComboBox* box : {m_parameter, m_figure})
     box->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
   auto* ends = new QHBoxLayout;
@@ -137,7 +133,7 @@ void SweepWidget::sweepOrStop() {
   for (const double value : swept.values)
     designs.push_back(withValue(base, 0, *swept.parameter, value, m_hold()));
   std::vector<std::string> names;
-  for (const SweptFigure& one : figures) names.emplace_back(one.name);
+  for (const FigureRow& one : sweptFigures()) names.emplace_back(one.name);
   if (!base.lightField.isLive()) names.pop_back();
   m_task->start([=, this, opening = m_opening](const Progress& progress) mutable {
     swept.rows = measureDesigns(designs, names, progress);
