@@ -18,7 +18,7 @@ struct DepthColours {
 
 /// Paints the bar in the upper half, numbers in the painter's font below it. `content` are its
 /// depths in metres, the back one first. Without an eye in front of the panel the bar is empty.
-void paintDepthBar(QPainter& painter, const QSizeF& size, const DesignNumbers& numbers,
+void paintDepthBar(QPainter& painter, const QSizeF& size, const SharpDepths& sharp,
                    const std::optional<std::array<double, 2>>& content,
                    const DepthColours& colours);
 

@@ -22,17 +22,21 @@ namespace hogelscope {
 /// The diameter of the pupil of directionsPerPupil, metres.
 constexpr double designPupil = 0.004;
 
+/// Lengths in metres, ≥ 0; 0 if the eye is not in front of the panel.
+struct SharpDepths {
+  double distance = 0;     ///< D, of the eye from the panel's plane
+  double depthFront = 0;   ///< what is nearer to the eye than this is not sharp
+  double depthBehind = 0;  ///< likewise behind the panel; infinite if there is no limit
+};
+
 /// Pairs are across and down the panel. Numbers that are not known are 0.
-struct DesignNumbers {
+struct DesignNumbers : SharpDepths {
   std::array<double, 2> hogelPitch{};           ///< metres
   std::array<double, 2> slopeStep{};            ///< of a direction in the middle of the field
   std::array<double, 2> degreesPerDirection{};  ///< there
   double megapixels = 0;                        ///< directional pixels of all hogels, in millions
-  double distance = 0;                          ///< of the eye from the panel's plane, metres
   std::array<double, 2> hogelArcmin{};          ///< a hogel's width, as the eye sees it
   std::array<double, 2> directionsPerPupil{};
-  double depthFront = 0;   ///< what is nearer to the eye than this is not sharp; metres, ≥ 0
-  double depthBehind = 0;  ///< likewise behind the panel; ≥ 0, infinite if there is no limit
 };
 
 /// `display` must have its hogels and directions; `eye` is in the world, in metres. The numbers

@@ -8,7 +8,6 @@
 
 #include "core/base/bisect.h"
 #include "core/panel/depth_budget.h"
-#include "core/panel/design_numbers.h"
 
 namespace hogelscope {
 

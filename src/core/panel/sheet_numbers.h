@@ -15,24 +15,22 @@
 
 #include <array>
 
+#include "core/panel/design_numbers.h"
 #include "core/panel/lens_sheet.h"
 
 namespace hogelscope {
 
 /// Lengths are metres. What depends on the eye is 0 if the eye is not in front of the lenses.
-struct SheetNumbers {
+struct SheetNumbers : SharpDepths {
   int views = 0;                  ///< N
   double period = 0;              ///< p, the sheet's resolution across
   double cone = 0;                ///< degrees
   double lobe = 0;                ///< rms of what one place sees about its view, in views
   double viewSlope = 0;           ///< p/(N g), from one view to the next
   double slopeSpread = 0;         ///< s, of one view's light
-  double distance = 0;            ///< D, of the eye from the lenses
   double viewsPerMetre = 0;       ///< as the eye moves to the right
   double viewsPerPanelMetre = 0;  ///< to the right along the panel; 0 from the viewing distance
   std::array<double, 2> flips{};  ///< x of the eye at which the panel's middle shows the other end
-  double depthFront = 0;          ///< what is nearer to the eye is not sharp; ≥ 0
-  double depthBehind = 0;  ///< likewise behind the panel; ≥ 0, infinite if there is no limit
   double viewsFront = 0;   ///< what is nearer shifts by more than a lens from view to view; ≥ 0
   double viewsBehind = 0;  ///< likewise behind the panel
 

@@ -61,7 +61,7 @@ void fillCell(const NumberCell& cell) {
 class DepthBar : public QWidget {
  public:
   using QWidget::QWidget;
-  DesignNumbers numbers;
+  SharpDepths sharp;
   std::optional<std::array<double, 2>> content;  ///< its depths, the back one first
 
   [[nodiscard]] QSize sizeHint() const override { return {scaled(180), scaled(40)}; }
@@ -73,7 +73,7 @@ class DepthBar : public QWidget {
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setFont(textFont(TextSize::caption));
-    paintDepthBar(painter, size(), numbers, content, {t.line, t.field, t.good, t.text, t.text3});
+    paintDepthBar(painter, size(), sharp, content, {t.line, t.field, t.good, t.text, t.text3});
   }
 };
 
@@ -98,12 +98,11 @@ void DesignNumbersWidget::arrangeStrip() {
   m_bar->hide();
   m_ui->depthLegend->hide();
   m_ui->designCard->setObjectName("designStrip");
-  m_ui->directionsPerPupil->hide();
+  m_ui->number4->hide();
   int column = 0;
-  for (QLabel* cell : {m_ui->hogelPitch, m_ui->hogelArcmin, m_ui->degreesPerDirection,
-                       m_ui->sharpDepths, m_ui->megapixels}) {
+  for (QLabel* cell : {m_ui->number1, m_ui->number2, m_ui->number3, m_ui->number6, m_ui->number5}) {
     cell->setObjectName(QStringLiteral("strip_") + cell->objectName());
-    m_ui->cardLayout->setColumnStretch(column, cell == m_ui->sharpDepths ? 2 : 1);
+    m_ui->cardLayout->setColumnStretch(column, cell == m_ui->number6 ? 2 : 1);
     m_ui->cardLayout->addWidget(cell, 0, column++);
   }
 }
@@ -153,13 +152,12 @@ std::optional<SheetNumbers> DesignNumbersWidget::numbersOfSheet() const {
 void DesignNumbersWidget::showHogels(const DesignNumbers& n) {
   const bool isStrip = m_bar->isHidden();
   for (const NumberCell& cell : std::initializer_list<NumberCell>{
-           {m_ui->hogelPitch, inDigits(n.hogelPitch, 1000), tr("mm"), tr("hogel pitch")},
-           {m_ui->hogelArcmin, inDigits(n.hogelArcmin), tr("arcmin"),
+           {m_ui->number1, inDigits(n.hogelPitch, 1000), tr("mm"), tr("hogel pitch")},
+           {m_ui->number2, inDigits(n.hogelArcmin), tr("arcmin"),
             isStrip ? tr("at the eye") : tr("hogel pitch at the eye")},
-           {m_ui->degreesPerDirection, inDigits(n.degreesPerDirection), "°", tr("each direction")},
-           {m_ui->directionsPerPupil, inDigits(n.directionsPerPupil), "",
-            tr("directions in the pupil")},
-           {m_ui->megapixels, inDigits(n.megapixels), tr("Mpx"),
+           {m_ui->number3, inDigits(n.degreesPerDirection), "°", tr("each direction")},
+           {m_ui->number4, inDigits(n.directionsPerPupil), "", tr("directions in the pupil")},
+           {m_ui->number5, inDigits(n.megapixels), tr("Mpx"),
             isStrip ? tr("pixels") : tr("pixels behind lenses")}})
     fillCell(cell);
 }
@@ -168,17 +166,17 @@ void DesignNumbersWidget::showSheet(const SheetNumbers& n) {
   const double own = m_model->current().stereo.ipd;
   const double ipd = own > 0 ? own : m_model->session().depth.ipd;
   for (const NumberCell& cell : std::initializer_list<NumberCell>{
-           {m_ui->hogelPitch, inDigits(n.viewsPerMetre), tr("views/m"), tr("to the eye's side"),
+           {m_ui->number1, inDigits(n.viewsPerMetre), tr("views/m"), tr("to the eye's side"),
             tr("How many views pass as the eye moves sideways by a metre")},
-           {m_ui->hogelArcmin, inDigits(n.cone), "°", tr("viewing cone"),
+           {m_ui->number2, inDigits(n.cone), "°", tr("viewing cone"),
             tr("The angle into which the lenses spread the views once")},
-           {m_ui->degreesPerDirection, inDigits(100 * n.width()), tr("cm"), tr("between flips"),
+           {m_ui->number3, inDigits(100 * n.width()), tr("cm"), tr("between flips"),
             tr("The width of the viewing cone at the eye's distance. Beyond it the views begin "
                "again")},
-           {m_ui->directionsPerPupil, inDigits(n.lobe), tr("views"), tr("in one place, rms"),
+           {m_ui->number4, inDigits(n.lobe), tr("views"), tr("in one place, rms"),
             tr("What one place sees about its own view: the width of a sub-pixel and the lenses' "
                "slant mix neighbours")},
-           {m_ui->megapixels, inDigits(100 * n.pseudoscopic(ipd)), "%", tr("of heads at a flip"),
+           {m_ui->number5, inDigits(100 * n.pseudoscopic(ipd)), "%", tr("of heads at a flip"),
             tr("The share of places of a head from which a flip lies between its eyes, so that "
                "they see their pictures exchanged")}})
     fillCell(cell);
@@ -188,20 +186,18 @@ void DesignNumbersWidget::showNumbers() {
   const bool isSheet = m_model->session().display.sheet.has_value();
   const std::optional<SheetNumbers> sheet = numbersOfSheet();
   setHidden(isSheet && !sheet);
-  DesignNumbers n;
   if (sheet) {
     showSheet(*sheet);
-    n.distance = sheet->distance;
-    n.depthFront = sheet->depthFront;
-    n.depthBehind = sheet->depthBehind;
+    m_bar->sharp = *sheet;
   } else {
-    n = numbers();
-    showHogels(n);
+    const DesignNumbers hogels = numbers();
+    showHogels(hogels);
+    m_bar->sharp = hogels;
   }
-  m_bar->numbers = n;
+  const SharpDepths& n = m_bar->sharp;
   m_bar->update();
   const std::array sharp{-n.depthBehind, n.depthFront};
-  fillCell({m_ui->sharpDepths, n.depthFront > 0 ? rangeText(sharp) : "–", "",
+  fillCell({m_ui->number6, n.depthFront > 0 ? rangeText(sharp) : "–", "",
             tr("sharp for this eye, cm"),
             isSheet ? tr("The depths behind (−) and in front (+) of the panel where lines as fine "
                          "as the lenses keep 64 % of the contrast that they have on the panel")
