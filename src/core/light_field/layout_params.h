@@ -12,10 +12,10 @@
 
 namespace hogelscope {
 
-/// The parameters of an image taken through an array of lenslets.
 enum class LensletGrid { square, hexagonal };
 
-/// Values that are not given are found in the white image (docs/formulas.md, Lenslets).
+/// The parameters of an image taken through an array of lenslets. Values that are not given are
+/// found in the white image (docs/formulas.md, Lenslets).
 struct LensletParams {
   std::string white;  ///< an image of even light; "" = the light field itself
   std::string dark;   ///< an image without light; "" = none

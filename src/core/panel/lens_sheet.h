@@ -36,7 +36,7 @@ void describe(ParameterVisitor& v, SheetDisplay& p);
 /// just that variance (Lindeberg 1990). Their sum is 1.
 std::vector<double> spotWeights(double sigma);
 
-/// Whether a unit's errors are none but those of a mounted sheet: offset, rotation, pitch and gap.
+/// Whether a unit has only errors that a sheet can have: offset, rotation, pitch and gap.
 bool isOfSheet(const TwinParams& twin);
 
 /// Tells where a ray meets the panel: column from the left, row from the top, both maybe beside it.
@@ -103,8 +103,8 @@ class LensSheet {
   // The parts of meet(), for loops over rays from one eye.
   [[nodiscard]] SheetHits hitsFrom(const Vec3& eye) const;
   [[nodiscard]] const CellPattern& pattern() const { return m_pattern; }
-  /// Returns how far upwards a ray's end moves along the lens for each px beside its sub-pixel's
-  /// middle, px, at most `farthestUp` to either side.
+  /// Returns the slope of the correction along the lens: px upwards for each px beside the middle
+  /// of the sub-pixel, at most `farthestUp` to either side.
   [[nodiscard]] double slide() const { return (1 - m_emitter) * m_seenSlope; }
   static constexpr double farthestUp = 8;
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Inspects a light field that is opened without a session: what is assumed, for which reasons, and
-// a preview. What the user says is overrides, as those of --set: the window's dialog edits these,
-// and the rest is guessed again.
+// a preview. The user's choices are overrides, as with --set: the window's dialog edits these, and
+// the rest is guessed again.
 #pragma once
 
 #include <array>
