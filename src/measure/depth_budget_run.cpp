@@ -251,7 +251,7 @@ std::string placeText(const DepthProposal& proposal) {
 }
 
 std::string csv(const DepthBudget& budget) {
-  std::string text = "state,z,dioptres,disparity,mismatch,share,proposed\n";
+  Table table{{"state", "z", "dioptres", "disparity", "mismatch", "share", "proposed"}};
   for (std::size_t k = 0; k < budget.now.states.size(); ++k) {
     const DepthFigures& now = budget.now.states[k];
     const DepthFigures* const later =
@@ -263,13 +263,13 @@ std::string csv(const DepthBudget& budget) {
       const double dioptres = bars.middle(bar);
       const double share = later != nullptr ? proposed.shares[bar] : 0;
       if (bars.shares[bar] == 0 && share == 0) continue;
-      text += csvCell(now.state) + "," + numberText(depthAt(dioptres, now.limits.distance)) + "," +
-              numberText(dioptres) + "," + numberText(now.limits.disparityOf(dioptres)) + "," +
-              numberText(now.limits.mismatchOf(dioptres)) + "," + numberText(bars.shares[bar]) +
-              "," + (later != nullptr ? numberText(share) : "") + "\n";
+      table.push_back({now.state, numberText(depthAt(dioptres, now.limits.distance)),
+                       numberText(dioptres), numberText(now.limits.disparityOf(dioptres)),
+                       numberText(now.limits.mismatchOf(dioptres)), numberText(bars.shares[bar]),
+                       later != nullptr ? numberText(share) : ""});
     }
   }
-  return text;
+  return csvText(table);
 }
 
 std::string json(const DepthBudget& budget) {

@@ -31,11 +31,13 @@ Figures chosen(const std::vector<MeasuredFigure>& figures, std::string_view name
 }
 
 std::string pointsOf(const Figures& figures, const std::string& across, const std::string& up) {
-  std::string text = across + (up.empty() ? "" : "," + up) + ",value,closed_form\n";
+  Table table{{across, up, "value", "closed_form"}};
   for (const MeasuredFigure* one : figures)
-    text += numberText(one->of.across) + "," + (up.empty() ? "" : numberText(one->of.up) + ",") +
-            numberCell(one->value) + "," + numberCell(one->of.closedForm) + "\n";
-  return text;
+    table.push_back({numberText(one->of.across), numberText(one->of.up), numberCell(one->value),
+                     numberCell(one->of.closedForm)});
+  if (up.empty())
+    for (std::vector<std::string>& row : table) row.erase(row.begin() + 1);
+  return csvText(table);
 }
 
 /// A plot of values over one axis, simulated and in closed form.
@@ -212,23 +214,21 @@ bool isInTable(const MeasuredFigure& one, const std::map<std::string, int>& coun
 std::string tableOf(const std::vector<MeasuredFigure>& figures) {
   std::map<std::string, int> counts;
   for (const MeasuredFigure& one : figures) ++counts[one.of.figure];
-  const std::vector<std::string> heads{"figure", "where",       "value",
-                                       "unit",   "closed form", "difference"};
+  Table table{{"figure", "where", "value", "unit", "closed form", "difference"}};
   std::string text = "<div class=\"scroll\"><table class=\"sorts\"><thead><tr>";
-  for (const std::string& head : heads) text += "<th>" + head + "</th>";
+  for (const std::string& head : table[0]) text += "<th>" + head + "</th>";
   text += "</tr></thead><tbody>\n";
-  std::vector<std::vector<std::string>> rows;
   for (const MeasuredFigure& one : figures) {
     if (!isInTable(one, counts)) continue;
     const auto [unit, factor] = readUnitOf(one);
-    rows.push_back({one.of.figure, one.of.where, readValue(factor * one.value), unit,
-                    readValue(factor * one.of.closedForm), readValue(factor * one.difference())});
+    table.push_back({one.of.figure, one.of.where, readValue(factor * one.value), unit,
+                     readValue(factor * one.of.closedForm), readValue(factor * one.difference())});
     text += "<tr>";
-    for (std::size_t k = 0; k < rows.back().size(); ++k)
-      text += (k == 2 || k > 3 ? "<td class=\"n\">" : "<td>") + escaped(rows.back()[k]) + "</td>";
+    for (std::size_t k = 0; k < table.back().size(); ++k)
+      text += (k == 2 || k > 3 ? "<td class=\"n\">" : "<td>") + escaped(table.back()[k]) + "</td>";
     text += "</tr>\n";
   }
-  return text + "</tbody></table></div>\n" + latexPart(latexTable(heads, rows));
+  return text + "</tbody></table></div>\n" + latexPart(latexTable(table));
 }
 
 std::string agreementText(const std::vector<MeasuredFigure>& figures) {

@@ -97,12 +97,11 @@ Measured measure(const MeasureRequest& request, const Progress& progress) {
 }
 
 std::string csv(const std::vector<MeasuredFigure>& figures) {
-  std::string text = "figure,value,unit,where,closed_form,difference\n";
+  Table table{{"figure", "value", "unit", "where", "closed_form", "difference"}};
   for (const MeasuredFigure& one : figures)
-    text += one.of.figure + "," + numberCell(one.value) + "," + one.of.unit + "," +
-            csvCell(one.of.where) + "," + numberCell(one.of.closedForm) + "," +
-            numberCell(one.difference()) + "\n";
-  return text;
+    table.push_back({one.of.figure, numberCell(one.value), one.of.unit, one.of.where,
+                     numberCell(one.of.closedForm), numberCell(one.difference())});
+  return csvText(table);
 }
 
 }  // namespace hogelscope

@@ -244,12 +244,11 @@ std::string shortened(const std::string& value) {
 
 std::string tableOf(const SweepRequest& request, const std::vector<SweepRow>& rows) {
   const SweepTable& table = request.table;
-  std::vector<std::string> heads = headsOf(request);
-  if (!table.pareto.empty()) heads.emplace_back("Pareto");
+  Table best{headsOf(request)};
+  if (!table.pareto.empty()) best[0].emplace_back("Pareto");
   std::string text = "<div class=\"scroll\"><table class=\"sorts\"><thead><tr>";
-  for (const std::string& head : heads) text += "<th class=\"n\">" + escaped(head) + "</th>";
+  for (const std::string& head : best[0]) text += "<th class=\"n\">" + escaped(head) + "</th>";
   text += "</tr></thead><tbody>\n";
-  std::vector<std::vector<std::string>> best;
   for (std::size_t k = 0; k < rows.size(); ++k) {
     std::vector<std::string> cells{std::to_string(k + 1)};
     for (const std::string& value : rows[k].design) cells.push_back(shortened(value));
@@ -262,7 +261,7 @@ std::string tableOf(const SweepRequest& request, const std::vector<SweepRow>& ro
     text += "</tr>\n";
     if (rows[k].isPareto || table.pareto.empty()) best.push_back(std::move(cells));
   }
-  return text + "</tbody></table></div>\n" + latexPart(latexTable(heads, best));
+  return text + "</tbody></table></div>\n" + latexPart(latexTable(best));
 }
 
 /// Says which contrast figures are of, if they are of several.

@@ -2,6 +2,7 @@
 // What the figures of a sweep say: the Pareto front, units that pass, parameters without effect.
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
 
 #include "core/base/text.h"
@@ -143,21 +144,22 @@ std::string effectText(const SweepTable& table, const std::vector<SweepRow>& row
 }
 
 std::string csv(const SweepTable& table, const std::vector<SweepRow>& rows) {
-  std::string text = "design";
-  for (const SweepParameter& parameter : table.parameters) text += "," + csvCell(parameter.name);
-  for (const std::string& figure : table.figures) text += "," + csvCell(figure);
-  const bool hasLimits = !table.pass.empty();
-  text += std::string(",pareto,") + (hasLimits ? "pass," : "") + "problem\n";
-  int number = 0;
+  Table lines{{"design"}};
+  for (const SweepParameter& parameter : table.parameters) lines[0].push_back(parameter.name);
+  lines[0].insert(lines[0].end(), table.figures.begin(), table.figures.end());
+  lines[0].emplace_back("pareto");
+  if (!table.pass.empty()) lines[0].emplace_back("pass");
+  lines[0].emplace_back("problem");
   for (const SweepRow& row : rows) {
-    text += std::to_string(++number);
-    for (const std::string& value : row.design) text += "," + csvCell(value);
-    for (const double value : row.figures) text += "," + numberCell(value);
-    text += std::string(",") + (row.isPareto ? "1" : "0");
-    if (hasLimits) text += std::string(",") + (row.passes ? "1" : "0");
-    text += "," + csvCell(row.problem) + "\n";
+    std::vector<std::string> cells{std::to_string(lines.size())};
+    cells.insert(cells.end(), row.design.begin(), row.design.end());
+    std::ranges::transform(row.figures, std::back_inserter(cells), numberCell);
+    cells.emplace_back(row.isPareto ? "1" : "0");
+    if (!table.pass.empty()) cells.emplace_back(row.passes ? "1" : "0");
+    cells.push_back(row.problem);
+    lines.push_back(std::move(cells));
   }
-  return text;
+  return csvText(lines);
 }
 
 }  // namespace hogelscope

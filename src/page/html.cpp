@@ -8,8 +8,6 @@
 #include <string_view>
 #include <utility>
 
-#include "core/base/text.h"
-
 namespace hogelscope {
 
 namespace {
@@ -95,15 +93,15 @@ std::string imageTag(const std::string& png, const std::string& text) {
   return "<img alt=\"" + escaped(text) + "\" src=\"data:image/png;base64," + base64(png) + "\"/>";
 }
 
-std::string latexTable(const std::vector<std::string>& heads,
-                       const std::vector<std::vector<std::string>>& rows) {
+std::string latexTable(const Table& table) {
+  const auto rows = std::span(table).subspan(1);
   std::string columns;
-  for (std::size_t k = 0; k < heads.size(); ++k) {
+  for (std::size_t k = 0; k < table[0].size(); ++k) {
     const bool isRight =
         k > 0 && std::ranges::any_of(rows, [k](const auto& row) { return isNumber(row[k]); });
     columns += isRight ? "r" : "l";
   }
-  std::string tex = "\\begin{tabular}{" + columns + "}\n\\hline\n" + lineOf(heads) + "\\hline\n";
+  std::string tex = "\\begin{tabular}{" + columns + "}\n\\hline\n" + lineOf(table[0]) + "\\hline\n";
   for (const std::vector<std::string>& row : rows) tex += lineOf(row);
   return tex + "\\hline\n\\end{tabular}\n";
 }

@@ -3,7 +3,7 @@
 #pragma once
 
 #include <string>
-#include <vector>
+#include "core/base/text.h"
 
 namespace hogelscope {
 
@@ -19,8 +19,7 @@ std::string imageTag(const std::string& png, const std::string& text);
 
 /// Returns a table as LaTeX's tabular: text columns left-aligned, columns whose cells begin with a
 /// digit or a sign right-aligned. It needs no package.
-std::string latexTable(const std::vector<std::string>& heads,
-                       const std::vector<std::vector<std::string>>& rows);
+std::string latexTable(const Table& table);
 /// Returns a folded part of the page with LaTeX, for copying.
 std::string latexPart(const std::string& tex);
 

@@ -217,9 +217,9 @@ FunctionMetrics::~FunctionMetrics() {
 void FunctionMetrics::keep(const fs::path& folder) const {
   std::string text(fileHead);
   for (const auto& one : m_all) {
-    text += one->name;
-    for (const std::string& column : one->columns) text += "," + column;
-    text += "\n";
+    Table line{{one->name}};
+    line[0].insert(line[0].end(), one->columns.begin(), one->columns.end());
+    text += csvText(line);
   }
   makeFolder(folder);
   writeTextFile(fileOf(folder), text);
@@ -229,8 +229,7 @@ bool FunctionMetrics::recall(const fs::path& folder) {
   requireOwnFile(fileOf(folder), fileHead);
   if (!fs::exists(fileOf(folder)) || !fs::is_regular_file(folder / "report.journal")) return false;
   const std::string text = readTextFile(fileOf(folder));
-  const std::vector<std::vector<std::string>> lines =
-      csvRows(text.substr(std::min(text.size(), fileHead.size())));
+  const Table lines = csvRows(text.substr(std::min(text.size(), fileHead.size())));
   if (lines.size() != m_all.size()) return false;
   for (std::size_t k = 0; k < lines.size(); ++k)
     if (lines[k].size() < 2 || lines[k][0] != m_all[k]->name) return false;

@@ -121,14 +121,12 @@ void writeCells(const fs::path& file, int width, int height,
 /// Returns a line for each cell, row by row: its column and row from the top left, its values.
 std::string cellsCsv(const std::string& heads, int columns,
                      const std::vector<std::vector<float>>& values) {
-  std::string text = heads + "\n";
-  for (std::size_t cell = 0; cell < values[0].size(); ++cell) {
-    text += std::to_string(cell % std::size_t(columns)) + "," +
-            std::to_string(cell / std::size_t(columns));
-    for (const std::vector<float>& one : values) text += "," + numberCell(double(one[cell]));
-    text += "\n";
-  }
-  return text;
+  Table table = csvRows(heads);
+  for (std::size_t cell = 0; cell < values[0].size(); ++cell)
+    table.push_back({std::to_string(cell % std::size_t(columns)),
+                     std::to_string(cell / std::size_t(columns)),
+                     numberCell(double(values[0][cell])), numberCell(double(values[1][cell]))});
+  return csvText(table);
 }
 
 /// Returns the positions of values within [low, high], as shares.

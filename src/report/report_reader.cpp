@@ -15,9 +15,9 @@ namespace fs = std::filesystem;
 namespace {
 
 /// The lines of a file of the report, whose cells have the names of its first line.
-class Table {
+class StoredTable {
  public:
-  explicit Table(const fs::path& file) : m_file(file), m_lines(csvRows(readTextFile(file))) {
+  explicit StoredTable(const fs::path& file) : m_file(file), m_lines(csvRows(readTextFile(file))) {
     if (m_lines.empty()) m_lines.push_back({});
   }
   [[nodiscard]] std::size_t lines() const { return m_lines.size() - 1; }
@@ -34,11 +34,11 @@ class Table {
 
  private:
   fs::path m_file;
-  std::vector<std::vector<std::string>> m_lines;
+  Table m_lines;
 };
 
 /// Adds the figures of a table, which has a line for each row.
-void addFigures(std::vector<ReportRow>& rows, const Table& table, const MetricSet& metrics) {
+void addFigures(std::vector<ReportRow>& rows, const StoredTable& table, const MetricSet& metrics) {
   if (table.lines() != rows.size()) table.refuse("report.csv has another number of lines");
   for (std::size_t line = 0; line < rows.size(); ++line)
     for (std::size_t k = 0; k < metrics.columns().size(); ++k)
@@ -51,7 +51,7 @@ void addFigures(std::vector<ReportRow>& rows, const Table& table, const MetricSe
 StoredReport readReport(const fs::path& folder, const MetricSet& metrics) {
   const auto has = [&](const char* name) { return fs::is_regular_file(folder / name); };
   if (!has("report.csv")) throw InputError(folder.string(), "is no report", "it has no report.csv");
-  const Table table(folder / "report.csv");
+  const StoredTable table(folder / "report.csv");
   StoredReport report;
   for (std::size_t line = 0; line < table.lines(); ++line)
     report.rows.push_back(
@@ -68,7 +68,7 @@ StoredReport readReport(const fs::path& folder, const MetricSet& metrics) {
     table.refuse("it has not every test for every state");
   addFigures(report.rows, table, metrics);
   if (has("metrics.csv")) {
-    const Table more(folder / "metrics.csv");
+    const StoredTable more(folder / "metrics.csv");
     addFigures(report.rows, more, metrics);
     for (std::size_t line = 0; line < report.rows.size(); ++line) {
       report.rows[line].weight = more.number(line, "weight");
@@ -76,7 +76,7 @@ StoredReport readReport(const fs::path& folder, const MetricSet& metrics) {
     }
   }
   if (!has("summary.csv")) return report;
-  const Table summary(folder / "summary.csv");
+  const StoredTable summary(folder / "summary.csv");
   for (std::size_t line = 0; line < summary.lines(); ++line)
     if (summary.cell(line, "figure") == "rate_bpp")
       report.rates.push_back({summary.cell(line, "test"), summary.number(line, "value")});

@@ -22,35 +22,28 @@ LensKey cameraWithCorner(const DistortionParams& distortion, double corner) {
   return key;
 }
 
-std::string counts(const LensOutcomes& o) {
-  std::string text = std::to_string(o.points());
+/// Returns the row of a lens that a method inverts; x and y are of lenses on a map.
+std::vector<std::string> rowOf(const std::string& kind, const std::string& lens, std::size_t method,
+                               const LensOutcomes& o, const std::string& x, const std::string& y) {
+  std::vector<std::string> row{kind, lens, inverseMethods()[method].name,
+                               std::to_string(o.points())};
   for (const Outcome each :
        {Outcome::right, Outcome::wrongRoot, Outcome::inexact, Outcome::diverged, Outcome::noRay})
-    text += "," + std::to_string(o[each]);
-  return text + "," + numberText(o.worstResidual);
+    row.push_back(std::to_string(o[each]));
+  const std::string worst(outcomeNames()[std::size_t(o.worst())]);
+  row.insert(row.end(), {numberText(o.worstResidual), worst, x, y, ""});
+  return row;
 }
 
-std::string mapRows(const LensMap& map) {
+void addRows(Table& table, const LensMap& map) {
   const int side = map.plane.side();
-  std::string text;
-  for (std::size_t m = 0; m < map.outcomes.size(); ++m) {
-    for (int row = 0; row < side; ++row) {
-      for (int column = 0; column < side; ++column) {
-        const LensOutcomes& o =
-            map.outcomes[m][std::size_t(row) * std::size_t(side) + std::size_t(column)];
-        text += map.plane.name + ",," + inverseMethods()[m].name + "," + counts(o) + "," +
-                outcomeNames()[std::size_t(o.worst())] + "," + numberText(map.plane.at(column)) +
-                "," + numberText(map.plane.at(row)) + ",\n";
-      }
-    }
-  }
-  return text;
-}
-
-std::string instabilityRow(const InstabilityRow& row) {
-  return row.kind + ",," + row.method + "," + (row.points ? std::to_string(*row.points) : "") +
-         ",,,,,,,," + numberText(row.x) + "," + (row.y ? numberText(*row.y) : "") + "," +
-         numberText(row.value) + "\n";
+  for (std::size_t m = 0; m < map.outcomes.size(); ++m)
+    for (int row = 0; row < side; ++row)
+      for (int column = 0; column < side; ++column)
+        table.push_back(
+            rowOf(map.plane.name, "", m,
+                  map.outcomes[m][std::size_t(row) * std::size_t(side) + std::size_t(column)],
+                  numberText(map.plane.at(column)), numberText(map.plane.at(row))));
 }
 
 }  // namespace
@@ -97,19 +90,17 @@ Stability measureStability(const std::vector<NamedLens>& lenses, const ParallelR
 }
 
 std::string csv(const Stability& stability) {
-  std::string text =
+  Table table = csvRows(
       "kind,lens,method,points,right,wrong_root,inexact,diverged,no_ray,worst_residual_px,"
-      "outcome,x,y,value\n";
-  for (std::size_t k = 0; k < stability.lenses.size(); ++k) {
-    for (std::size_t m = 0; m < inverseMethods().size(); ++m) {
-      const LensOutcomes& o = stability.outcomes[k][m];
-      text += "lens," + csvCell(stability.lenses[k].name) + "," + inverseMethods()[m].name + "," +
-              counts(o) + "," + outcomeNames()[std::size_t(o.worst())] + ",,,\n";
-    }
-  }
-  for (const LensMap& map : stability.maps) text += mapRows(map);
-  for (const InstabilityRow& row : stability.instabilities) text += instabilityRow(row);
-  return text;
+      "outcome,x,y,value");
+  for (std::size_t k = 0; k < stability.lenses.size(); ++k)
+    for (std::size_t m = 0; m < inverseMethods().size(); ++m)
+      table.push_back(rowOf("lens", stability.lenses[k].name, m, stability.outcomes[k][m], "", ""));
+  for (const LensMap& map : stability.maps) addRows(table, map);
+  for (const auto& [kind, method, x, y, points, value] : stability.instabilities)
+    table.push_back({kind, "", method, points ? std::to_string(*points) : "", "", "", "", "", "",
+                     "", "", numberText(x), y ? numberText(*y) : "", numberText(value)});
+  return csvText(table);
 }
 
 }  // namespace hogelscope

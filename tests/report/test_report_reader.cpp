@@ -62,10 +62,11 @@ void TestReportReader::cells_data() {
 void TestReportReader::cells() {
   QFETCH(const QString, text);
   const std::string cell = text.toStdString();
-  const auto rows = csvRows(csvCell(cell) + ",x," + csvCell(cell) + "\r\ny\n");
-  QVERIFY(rows.size() == 2);
-  QVERIFY((rows[0] == std::vector<std::string>{cell, "x", cell}));
-  QVERIFY(rows[1] == std::vector<std::string>{"y"});
+  const Table table{{cell, "x", cell}, {"y"}};
+  QVERIFY(csvRows(csvText(table)) == table);
+  std::string line = csvText({table[0]});
+  line.insert(line.size() - 1, "\r");
+  QVERIFY(csvRows(line + "y\n") == table);
 }
 
 void TestReportReader::readsWhatWasWritten() {

@@ -397,7 +397,7 @@ void TestSummaries::page() {
 void TestSummaries::latex() {
   QCOMPARE(
       QString::fromStdString(latexPart(latexTable(
-          {"test", "a_b", "note"}, {{"x\\y{z}&%$#^~.png", "-1.5", "–"}, {"<q>", "–", "w"}}))),
+          {{"test", "a_b", "note"}, {"x\\y{z}&%$#^~.png", "-1.5", "–"}, {"<q>", "–", "w"}}))),
       QString("<details><summary>As LaTeX</summary><pre>\\begin{tabular}{lrl}\n\\hline\n"
               "test &amp; a\\_b &amp; note \\\\\n\\hline\n"
               "x\\textbackslash{}y\\{z\\}\\&amp;\\%\\$\\#\\textasciicircum{}\\textasciitilde{}.png"

@@ -59,14 +59,14 @@ void writePlot(const fs::path& folder, const std::string& name, const DepthFigur
   const Paint paint = [&histogram](QPainter& painter, const QSizeF& size) {
     paintDepths(painter, QRectF({12, 8}, size - QSizeF(24, 12)), histogram, printColours());
   };
-  std::string points = "dioptres,z,share\n";
+  Table points{{"dioptres", "z", "share"}};
   const DepthBars& bars = histogram.bars;
   for (std::size_t bar = 0; bar < bars.shares.size(); ++bar)
-    points += numberText(bars.middle(bar)) + "," +
-              numberText(depthAt(bars.middle(bar), figures.limits.distance)) + "," +
-              numberText(bars.shares[bar]) + "\n";
+    points.push_back({numberText(bars.middle(bar)),
+                      numberText(depthAt(bars.middle(bar), figures.limits.distance)),
+                      numberText(bars.shares[bar])});
   writeTextFile(folder / (name + ".svg"), svgOf(paint, {640, 280}, "Depth of the content"));
-  writeTextFile(folder / (name + ".csv"), points);
+  writeTextFile(folder / (name + ".csv"), csvText(points));
 }
 
 }  // namespace

@@ -173,11 +173,11 @@ struct Pictures {
 
  private:
   static std::string tableOf(const std::vector<Picture>& pictures, const RenderOutput& output) {
-    std::string text = "file,focus,dioptres\n";
+    Table table{{"file", "focus", "dioptres"}};
     for (const Picture& picture : pictures)
-      text += csvCell(output.file(picture.name, output.format).filename().string()) + "," +
-              numberText(picture.focus) + "," + numberText(1 / picture.focus) + "\n";
-    return text;
+      table.push_back({output.file(picture.name, output.format).filename().string(),
+                       numberText(picture.focus), numberText(1 / picture.focus)});
+    return csvText(table);
   }
 };
 

@@ -21,6 +21,14 @@ bool isFormula(const std::string& text) {
                              [&text](std::string_view sign) { return text.starts_with(sign); });
 }
 
+std::string csvCell(const std::string& text) {
+  std::string harmless = isFormula(text) ? "'" + text : text;
+  if (harmless.find_first_of(",\"\r\n") == std::string::npos) return harmless;
+  std::string cell = "\"";
+  for (const char c : harmless) cell += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return cell + "\"";
+}
+
 /// Returns the number of continuation bytes after a first byte, and its bits; none for other bytes.
 std::optional<std::pair<std::size_t, char32_t>> leadOf(unsigned char byte) {
   if (byte < 0x80) return std::pair{std::size_t(0), char32_t(byte)};
@@ -72,16 +80,15 @@ std::string numberCell(double value) {
   return std::isnan(value) ? std::string() : numberText(value);
 }
 
-std::string csvCell(const std::string& text) {
-  std::string harmless = isFormula(text) ? "'" + text : text;
-  if (harmless.find_first_of(",\"\r\n") == std::string::npos) return harmless;
-  std::string cell = "\"";
-  for (const char c : harmless) cell += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return cell + "\"";
+std::string csvText(const Table& table) {
+  std::string text;
+  for (const std::vector<std::string>& row : table)
+    for (const std::string& cell : row) text += csvCell(cell) + (&cell == &row.back() ? "\n" : ",");
+  return text;
 }
 
-std::vector<std::vector<std::string>> csvRows(std::string_view text) {
-  std::vector<std::vector<std::string>> rows;
+Table csvRows(std::string_view text) {
+  Table rows;
   bool isQuoted = false;
   bool begins = true;  // a line
   for (std::size_t k = 0; k < text.size(); ++k) {

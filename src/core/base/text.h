@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Formats numbers, sizes and CSV cells as text, reads UTF-8, and makes other text safe for
+// Formats numbers, sizes and tables as text, reads UTF-8, and makes other text safe for
 // terminals and pages.
 #pragma once
 
@@ -32,14 +32,17 @@ std::string lowerCase(std::string text);
 /// vowels stay, as "PSF" or "k1".
 std::string formLabel(std::string_view name);
 
-/// Returns a text as a CSV cell (RFC 4180). A text that a spreadsheet would read as a formula gets
-/// a leading apostrophe (OWASP, CSV injection).
-std::string csvCell(const std::string& text);
-/// Returns a number as a CSV cell; an empty one for NaN.
+/// A table: rows of cells, of which the first has the names of the columns.
+using Table = std::vector<std::vector<std::string>>;
+
+/// Returns a table as CSV (RFC 4180). A cell that a spreadsheet would read as a formula gets a
+/// leading apostrophe (OWASP, CSV injection).
+std::string csvText(const Table& table);
+/// Returns a number as a cell; an empty one for NaN.
 std::string numberCell(double value);
 
-/// Returns the cells of every line of a table of CSV cells.
-std::vector<std::vector<std::string>> csvRows(std::string_view text);
+/// Returns the table that a text of CSV has.
+Table csvRows(std::string_view text);
 
 /// A UTF-8 character (RFC 3629) and its bytes; no code point, and 1 byte, if no character begins
 /// there.

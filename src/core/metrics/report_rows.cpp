@@ -22,37 +22,36 @@ std::vector<std::size_t> otherColumns(const MetricSet& metrics) {
   return others;
 }
 
+/// Returns a table of the rows' states, tests and these columns.
 template <class Columns>
-std::string csvHeader(const Columns& columns, const MetricSet& metrics) {
-  std::string text = "state,test";
-  for (const std::size_t k : columns) text += "," + csvCell(metrics.columns()[k].name);
-  return text;
-}
-
-template <class Columns>
-std::string csvStart(const ReportRow& row, const Columns& columns) {
-  std::string text = csvCell(row.state) + "," + csvCell(row.test);
-  for (const std::size_t k : columns) text += "," + numberText(row.values[k]);
-  return text;
+Table tableOf(const std::vector<ReportRow>& rows, const Columns& columns,
+              const MetricSet& metrics) {
+  Table table{{"state", "test"}};
+  for (const std::size_t k : columns) table[0].push_back(metrics.columns()[k].name);
+  for (const ReportRow& row : rows) {
+    table.push_back({row.state, row.test});
+    for (const std::size_t k : columns) table.back().push_back(numberText(row.values[k]));
+  }
+  return table;
 }
 
 }  // namespace
 
 std::string reportCsv(const std::vector<ReportRow>& rows, const MetricSet& metrics) {
-  std::string text = csvHeader(reportColumns, metrics) + ",eye_x,eye_y,eye_z\n";
-  for (const ReportRow& row : rows)
-    text += csvStart(row, reportColumns) + "," + numberText(row.eye.x) + "," +
-            numberText(row.eye.y) + "," + numberText(row.eye.z) + "\n";
-  return text;
+  Table table = tableOf(rows, reportColumns, metrics);
+  table[0].insert(table[0].end(), {"eye_x", "eye_y", "eye_z"});
+  for (std::size_t k = 0; k < rows.size(); ++k)
+    for (const double place : {rows[k].eye.x, rows[k].eye.y, rows[k].eye.z})
+      table[k + 1].push_back(numberText(place));
+  return csvText(table);
 }
 
 std::string metricsCsv(const std::vector<ReportRow>& rows, const MetricSet& metrics) {
-  const std::vector<std::size_t> columns = otherColumns(metrics);
-  std::string text = csvHeader(columns, metrics) + ",weight,problem\n";
-  for (const ReportRow& row : rows)
-    text +=
-        csvStart(row, columns) + "," + numberText(row.weight) + "," + csvCell(row.problem) + "\n";
-  return text;
+  Table table = tableOf(rows, otherColumns(metrics), metrics);
+  table[0].insert(table[0].end(), {"weight", "problem"});
+  for (std::size_t k = 0; k < rows.size(); ++k)
+    table[k + 1].insert(table[k + 1].end(), {numberText(rows[k].weight), rows[k].problem});
+  return csvText(table);
 }
 
 }  // namespace hogelscope

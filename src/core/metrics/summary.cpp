@@ -76,41 +76,33 @@ TestSummary summaryOf(const std::string& test, std::vector<ReportRow> rows,
   return result;
 }
 
-std::string figureRow(const TestSummary& summary, const std::string& figure,
-                      const std::vector<double>& values, const std::string& region = {},
-                      const std::string& state = {}) {
-  std::string text = csvCell(summary.test) + "," + figure;
-  for (std::size_t k = 0; k < 6; ++k)
-    text += "," + (k < values.size() ? numberText(values[k]) : std::string());
-  return text + "," + csvCell(state) + "," + region + "\n";
-}
-
-std::string worstRow(const TestSummary& summary, std::optional<std::size_t> worst, bool isSeen) {
-  if (!worst) return {};
-  const ReportRow& row = summary.rows[*worst];
-  return figureRow(summary, isSeen ? "worst_psnr_seen" : "worst_psnr",
-                   {row.values[isSeen ? psnrSeenColumn : psnrColumn]}, regionOf(isSeen), row.state);
-}
-
-std::string block(const TestSummary& summary, const MetricSet& metrics) {
+/// Adds the rows of a test to the table of summary.csv.
+void addRows(Table& table, const TestSummary& summary, const MetricSet& metrics) {
+  const auto add = [&](const std::string& figure, const std::vector<double>& values,
+                       const std::string& region = {}, const std::string& state = {}) {
+    table.push_back({summary.test, figure, "", "", "", "", "", "", state, region});
+    std::ranges::transform(values, table.back().begin() + 2, numberText);
+  };
+  const auto addWorst = [&](const char* figure, std::optional<std::size_t> row, MetricIndex column,
+                            bool isSeen) {
+    if (row)
+      add(figure, {summary.rows[*row].values[column]}, regionOf(isSeen), summary.rows[*row].state);
+  };
+  add("views", {double(summary.rows.size())});
+  add("identical_views", {double(summary.summary.identical)});
+  add("views_without_comparison", {double(summary.summary.withoutView)});
   const MeansOfTest plain = summary.means(false);
   const MeansOfTest weighted = summary.means(true);
-  std::string text =
-      figureRow(summary, "views", {double(summary.rows.size())}) +
-      figureRow(summary, "identical_views", {double(summary.summary.identical)}) +
-      figureRow(summary, "views_without_comparison", {double(summary.summary.withoutView)});
   for (std::size_t k = 0; k < plain.values.size(); ++k) {
     const Interval& interval = plain.intervals[k];
     const Interval& other = weighted.intervals[k];
-    text += figureRow(
-        summary, metrics.means()[k].name,
+    add(metrics.means()[k].name,
         {plain.values[k], interval.low, interval.high, weighted.values[k], other.low, other.high},
         regionOf(metrics.means()[k].isSeen));
   }
-  text += worstRow(summary, summary.summary.worstFrame, false) +
-          worstRow(summary, summary.summary.worst, true);
-  if (summary.rate) text += figureRow(summary, "rate_bpp", {*summary.rate});
-  return text;
+  addWorst("worst_psnr", summary.summary.worstFrame, psnrColumn, false);
+  addWorst("worst_psnr_seen", summary.summary.worst, psnrSeenColumn, true);
+  if (summary.rate) add("rate_bpp", {*summary.rate});
 }
 
 /// A comparison of two groups by one mean: the indices of their tests in the summaries.
@@ -310,26 +302,29 @@ std::vector<BdRow> bdRows(const std::vector<TestSummary>& summaries, const Metri
 }
 
 std::string summaryCsv(const std::vector<TestSummary>& summaries, const MetricSet& metrics) {
-  std::string text = "test,figure,value,low,high,weighted,weighted_low,weighted_high,state,over\n";
-  for (const TestSummary& summary : summaries) text += block(summary, metrics);
-  return text;
+  Table table =
+      csvRows("test,figure,value,low,high,weighted,weighted_low,weighted_high,state,over");
+  for (const TestSummary& summary : summaries) addRows(table, summary, metrics);
+  return csvText(table);
 }
 
 std::string bdCsv(const std::vector<BdRow>& rows) {
-  std::string text =
+  Table table = csvRows(
       "anchor,group,quality,bd_rate_percent,bd_psnr_db,psnr_from,psnr_to,problem,over,unit,"
       "bd_quality,quality_from,quality_to,means,bd_rate_low,bd_rate_high,bd_quality_low,"
-      "bd_quality_high\n";
+      "bd_quality_high");
   for (const auto& [anchor, group, quality, delta, isWeighted, rate, gain] : rows) {
-    const std::string values =
-        numberText(delta.quality) + "," + numberText(delta.from) + "," + numberText(delta.to);
-    text += csvCell(anchor) + "," + csvCell(group) + "," + csvCell(quality.name) + "," +
-            numberText(delta.rate) + "," + (quality.unit == "dB" ? values : ",,") + "," +
-            csvCell(delta.problem) + "," + regionOf(quality.isSeen) + "," + csvCell(quality.unit) +
-            "," + values + (isWeighted ? ",weighted," : ",plain,") + numberText(rate.low) + "," +
-            numberText(rate.high) + "," + numberText(gain.low) + "," + numberText(gain.high) + "\n";
+    const auto decibels = [&, isPsnr = quality.unit == "dB"](double value) {
+      return isPsnr ? numberText(value) : std::string();
+    };
+    table.push_back({anchor, group, quality.name, numberText(delta.rate), decibels(delta.quality),
+                     decibels(delta.from), decibels(delta.to), delta.problem,
+                     regionOf(quality.isSeen), quality.unit, numberText(delta.quality),
+                     numberText(delta.from), numberText(delta.to),
+                     isWeighted ? "weighted" : "plain", numberText(rate.low), numberText(rate.high),
+                     numberText(gain.low), numberText(gain.high)});
   }
-  return text;
+  return csvText(table);
 }
 
 }  // namespace hogelscope

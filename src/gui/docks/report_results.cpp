@@ -282,14 +282,13 @@ CopyTable::CopyTable(QWidget* parent) : QTableView(parent) {
 }
 
 void CopyTable::copy(bool isAll) {
-  QStringList lines;
+  Table table;
   const auto addLine = [&](const auto& textOf) {
-    QStringList cells;
+    std::vector<std::string>& cells = table.emplace_back();
     for (int k = 0; k < model()->columnCount(); ++k) {
       const int column = horizontalHeader()->logicalIndex(k);
-      if (!isColumnHidden(column)) cells << text(csvCell(textOf(column).toString().toStdString()));
+      if (!isColumnHidden(column)) cells.push_back(textOf(column).toString().toStdString());
     }
-    lines << cells.join(',') + '\n';
   };
   addLine([&](int column) { return model()->headerData(column, Qt::Horizontal); });
   const bool hasSelection = !isAll && selectionModel()->hasSelection();
@@ -300,7 +299,7 @@ void CopyTable::copy(bool isAll) {
         const QVariant accessible = index.data(Qt::AccessibleTextRole);
         return accessible.isValid() ? accessible : index.data();
       });
-  QApplication::clipboard()->setText(lines.join(""));
+  QApplication::clipboard()->setText(text(csvText(table)));
 }
 
 bool CopyTable::event(QEvent* event) {

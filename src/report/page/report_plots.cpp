@@ -200,12 +200,11 @@ bool coincide(const std::vector<ViewPoint>& points, double Vec3::*first, double 
 /// Returns a line for each eye, in the order of the rows.
 std::string csvOf(std::vector<ViewPoint> points, const std::vector<ReportRow>& rows) {
   std::ranges::sort(points, {}, &ViewPoint::row);
-  std::string text = "state,x,y,z,angle,psnr_seen\n";
-  for (const ViewPoint& point : points)
-    text += csvCell(rows[point.row].state) + "," + numberText(point.eye.x) + "," +
-            numberText(point.eye.y) + "," + numberText(point.eye.z) + "," +
-            numberText(angleOf(point.eye)) + "," + numberCell(point.psnr) + "\n";
-  return text;
+  Table table{{"state", "x", "y", "z", "angle", "psnr_seen"}};
+  for (const auto& [row, eye, psnr, kind] : points)
+    table.push_back({rows[row].state, numberText(eye.x), numberText(eye.y), numberText(eye.z),
+                     numberText(angleOf(eye)), numberCell(psnr)});
+  return csvText(table);
 }
 
 /// Returns a test's figure of a kind of map; none if all eyes are at one place.
@@ -302,17 +301,17 @@ Plot ratePlot(const std::vector<TestSummary>& summaries, const std::vector<RateG
 
 std::string csvOf(const std::vector<TestSummary>& summaries, const std::vector<RateGroup>& groups,
                   const PlottedMean& mean) {
-  std::string text = "group,test,rate_bpp," + mean.mean.name + ",low,high,means\n";
+  Table table{{"group", "test", "rate_bpp", mean.mean.name, "low", "high", "means"}};
   for (const RateGroup& group : groups)
     for (const TestRate& rate : group.tests) {
       const auto test = std::ranges::find(summaries, rate.test, &TestSummary::test);
       if (test == summaries.end()) continue;
-      text += csvCell(group.name) + "," + csvCell(rate.test) + "," + numberText(rate.rate) + "," +
-              numberCell(mean.of(*test)) + "," + numberCell(mean.intervalOf(*test).low) + "," +
-              numberCell(mean.intervalOf(*test).high) +
-              (mean.isWeighted ? ",weighted\n" : ",plain\n");
+      const Interval& interval = mean.intervalOf(*test);
+      table.push_back({group.name, rate.test, numberText(rate.rate), numberCell(mean.of(*test)),
+                       numberCell(interval.low), numberCell(interval.high),
+                       mean.isWeighted ? "weighted" : "plain"});
     }
-  return text;
+  return csvText(table);
 }
 
 /// Cells of the panel: their picture, what is along its sides, its scale of colours.

@@ -103,11 +103,10 @@ std::string tableOf(const std::vector<TestSummary>& summaries, const MeansTable&
 /// Returns the same table as LaTeX: tests, rates and means with their intervals; weighted means
 /// where states have weights.
 std::string latexOf(const std::vector<TestSummary>& summaries, const MeansTable& table) {
-  std::vector<std::string> heads{"test"};
-  if (table.hasRates) heads.emplace_back("bpp");
+  Table rows{{"test"}};
+  if (table.hasRates) rows[0].emplace_back("bpp");
   for (std::size_t k = 0; k < table.metrics.means().size(); ++k)
-    if (table.has(k)) heads.push_back(titleOf(table.metrics.means()[k]));
-  std::vector<std::vector<std::string>> rows;
+    if (table.has(k)) rows[0].push_back(titleOf(table.metrics.means()[k]));
   const std::vector<std::string> names = namesOf(summaries);
   for (std::size_t test = 0; test < names.size(); ++test) {
     const TestSummary& of = summaries[test];
@@ -121,7 +120,7 @@ std::string latexOf(const std::vector<TestSummary>& summaries, const MeansTable&
             withRange(means[k], intervals[k], table.metrics.means()[k].decimals, ""));
     }
   }
-  return latexTable(heads, rows);
+  return latexTable(rows);
 }
 
 /// Returns the columns of the table.
@@ -254,9 +253,9 @@ std::string meansTex(const std::vector<TestSummary>& summaries, const MetricSet&
 }
 
 std::string bdTex(const std::vector<BdRow>& rows, const MetricSet& metrics) {
-  std::vector<std::vector<std::string>> cells;
-  for (const BdRow& row : headlinesOf(rows, metrics)) cells.push_back(cellsOf(row));
-  return latexTable(bdHeads, cells);
+  Table table{bdHeads};
+  for (const BdRow& row : headlinesOf(rows, metrics)) table.push_back(cellsOf(row));
+  return latexTable(table);
 }
 
 std::string bdTable(const std::vector<BdRow>& rows, const MetricSet& metrics) {

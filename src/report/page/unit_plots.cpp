@@ -39,15 +39,15 @@ Figure unitFigure(const std::vector<UnitMean>& units, const MetricMean& mean) {
   const std::string title = mean.title + (mean.unit.empty() ? "" : " in " + mean.unit);
   Plot plot{"units up to this value, in %", title, {1, 1e-3}, true, false, {}};
   plot.series.push_back({"units", {}, 3});
-  std::string csv = "unit,percent_of_units," + mean.name + ",low,high\n";
+  Table table{{"unit", "percent_of_units", mean.name, "low", "high"}};
   for (const UnitMean& unit : units) {
     plot.series[0].points.push_back({unit.share, unit.value,
                                      unit.unit + ": " + rounded(unit.value, mean.decimals), 0,
                                      unit.interval});
-    csv += csvCell(unit.unit) + "," + numberText(unit.share) + "," + numberCell(unit.value) + "," +
-           numberCell(unit.interval.low) + "," + numberCell(unit.interval.high) + "\n";
+    table.push_back({unit.unit, numberText(unit.share), numberCell(unit.value),
+                     numberCell(unit.interval.low), numberCell(unit.interval.high)});
   }
-  return figureOf(plot, "units_" + mean.name, title + " over the units", csv);
+  return figureOf(plot, "units_" + mean.name, title + " over the units", csvText(table));
 }
 
 }  // namespace
