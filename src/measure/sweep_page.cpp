@@ -100,9 +100,9 @@ std::string parallelPlot(const std::vector<Column>& columns, const std::vector<S
     return Axis{column.isConstant() ? column.low - 0.5 : column.low,
                 column.isConstant() ? column.low + 0.5 : column.high, bottom, top};
   };
-  std::string text = "<svg class=\"wide brushed\" viewBox=\"0 0 " + numberText(width) + " " +
-                     numberText(parallelHeight) +
-                     "\" role=\"img\" aria-label=\"Designs over parameters and figures\">\n";
+  std::string text = svgStart("wide brushed", width, numberText(parallelHeight),
+                              "Designs over parameters and figures") +
+                     "\n";
   for (const std::size_t row : drawingOrder(rows)) {
     std::string points;
     for (std::size_t c = 0; c < columns.size(); ++c) {
@@ -119,9 +119,8 @@ std::string parallelPlot(const std::vector<Column>& columns, const std::vector<S
   for (std::size_t c = 0; c < columns.size(); ++c) {
     const double x = left + step * double(c);
     const Axis axis = axisOf(columns[c]);
-    text += "<line x1=\"" + coordinate(x) + "\" y1=\"" + coordinate(top) + "\" x2=\"" +
-            coordinate(x) + "\" y2=\"" + coordinate(bottom) + "\" stroke=\"#111\"/>";
-    text += svgText(x, c % 2 == 0 ? 14 : 30, "middle", columns[c].name);
+    text += svgLine(x, top, x, bottom, "stroke=\"#111\"") +
+            svgText(x, c % 2 == 0 ? 14 : 30, "middle", columns[c].name);
     if (columns[c].texts.empty()) {
       for (const Tick& tick : linearTicks(axis, 5))
         text += svgText(x + 5, axis.at(tick.value) + 4, "start", tick.text);
@@ -144,15 +143,13 @@ std::string scatterPlot(const std::vector<Column>& all, const std::vector<SweepR
   const auto count = double(columns.size());
   const double width = left + count * (side + gap);
   const double height = count * (side + gap) + below;
-  std::string text = "<svg class=\"wide\" viewBox=\"0 0 " + numberText(width) + " " +
-                     numberText(height) +
-                     "\" role=\"img\" aria-label=\"Each pair of parameters and figures\">\n";
+  std::string text =
+      svgStart("wide", width, numberText(height), "Each pair of parameters and figures") + "\n";
   for (std::size_t j = 0; j < columns.size(); ++j)
     for (std::size_t i = 0; i < columns.size(); ++i) {
       const double x = left + double(i) * (side + gap);
       const double y = double(j) * (side + gap);
-      text += "<rect x=\"" + coordinate(x) + "\" y=\"" + coordinate(y) + "\" width=\"" +
-              coordinate(side) + "\" height=\"" + coordinate(side) + "\" class=\"frame\"/>";
+      text += svgRectangle(x, y, side, side, "class=\"frame\"");
       if (i == j) {
         text += svgText(x + side / 2, y + side / 2, "middle", columns[i].name);
         continue;

@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "core/base/text.h"
-#include "page/html.h"
 
 namespace hogelscope {
 
@@ -15,10 +14,9 @@ constexpr double scaleRoom = 64;  ///< right of the map, for the scale of colour
 
 /// Returns a stroke that is seen on every colour: white over black.
 std::string stroke(double x1, double y1, double x2, double y2, const std::string& more) {
-  const std::string line = "<line x1=\"" + coordinate(x1) + "\" y1=\"" + coordinate(y1) +
-                           "\" x2=\"" + coordinate(x2) + "\" y2=\"" + coordinate(y2) + "\" ";
-  return line + "stroke=\"#000\" stroke-opacity=\".5\" stroke-width=\"2.6\"" + more + "/>" + line +
-         "stroke=\"#fff\" stroke-width=\"1.2\"" + more + "/>";
+  return svgLine(x1, y1, x2, y2,
+                 "stroke=\"#000\" stroke-opacity=\".5\" stroke-width=\"2.6\"" + more) +
+         svgLine(x1, y1, x2, y2, "stroke=\"#fff\" stroke-width=\"1.2\"" + more);
 }
 
 std::string nameText(double x, double y, const std::string& name) {
@@ -61,9 +59,8 @@ std::vector<ContourPiece> contourOf(const MapPlot& plot, double level) {
 std::string svgOf(const MapPlot& plot, const PlotBox& box, const std::string& label) {
   const Axis across{plot.across[0], plot.across[1], box.left, box.width - box.right - scaleRoom};
   const Axis up{plot.up[0], plot.up[1], box.height - box.below, box.top};
-  std::string text = "<svg class=\"wide\" viewBox=\"0 0 " + numberText(box.width) + " " +
-                     numberText(box.height) + "\" role=\"img\" aria-label=\"" + escaped(label) +
-                     "\">" + svgFrame(across, up, plot.titleAcross, plot.titleUp, plot.ticks);
+  std::string text = svgStart("wide", box.width, numberText(box.height), label) +
+                     svgFrame(across, up, plot.titleAcross, plot.titleUp, plot.ticks);
   const double width = (across.to - across.from) / plot.columns;
   const double height = (up.from - up.to) / std::max(plot.rows(), 1);
   for (std::size_t k = 0; k < plot.values.size(); ++k) {

@@ -43,20 +43,6 @@ void shareScale(Axis& across, Axis& up) {
   wide.high = middle + factor * (wide.high - middle);
 }
 
-std::string svgMark(std::size_t series, double x, double y, double radius,
-                    const std::string& attributes, const std::string& content) {
-  const std::string more = (attributes.empty() ? "" : " " + attributes) + ">" + content;
-  const std::vector<double> corners = markCorners(series);
-  if (corners.empty())
-    return "<circle cx=\"" + coordinate(x) + "\" cy=\"" + coordinate(y) + "\" r=\"" +
-           coordinate(radius) + "\"" + more + "</circle>";
-  std::string points;
-  for (std::size_t k = 0; k < corners.size(); k += 2)
-    points += (k == 0 ? "" : " ") + coordinate(x + radius * corners[k]) + "," +
-              coordinate(y + radius * corners[k + 1]);
-  return "<polygon points=\"" + points + "\"" + more + "</polygon>";
-}
-
 std::string dashAttribute(std::size_t series) {
   std::string dashes;
   for (const double length : dashesOf(series))
@@ -70,8 +56,8 @@ std::string svgCurve(const Plot::Series& series, std::size_t number, const PlotA
   for (const Plot::Point& point : series.points) {
     const auto [x, y] = area.placeOf(point, 0);
     line += (line.empty() ? "" : " ") + coordinate(x) + "," + coordinate(y);
-    bars +=
-        svgLine(x, area.up.at(point.interval.low), x, area.up.at(point.interval.high), "interval");
+    bars += svgLine(x, area.up.at(point.interval.low), x, area.up.at(point.interval.high),
+                    "class=\"interval\"");
   }
   return "<polyline class=\"curve\" points=\"" + line + "\"" + dashAttribute(number) + "/>" + bars +
          "\n";
@@ -135,6 +121,12 @@ Legend legendOf(const Plot& plot, const PlotBox& box) {
 
 }  // namespace
 
+std::string svgStart(std::string_view style, double width, const std::string& height,
+                     const std::string& label) {
+  return "<svg class=\"" + std::string(style) + "\" viewBox=\"0 0 " + numberText(width) + " " +
+         height + "\" role=\"img\" aria-label=\"" + escaped(label) + "\">";
+}
+
 std::string coordinate(double value) {
   return rounded(value, 2);
 }
@@ -144,14 +136,28 @@ std::string svgText(double x, double y, std::string_view anchor, const std::stri
          std::string(anchor) + "\">" + escaped(text) + "</text>";
 }
 
-std::string svgLine(double x1, double y1, double x2, double y2, std::string_view style) {
+std::string svgLine(double x1, double y1, double x2, double y2, const std::string& more) {
   return "<line x1=\"" + coordinate(x1) + "\" y1=\"" + coordinate(y1) + "\" x2=\"" +
-         coordinate(x2) + "\" y2=\"" + coordinate(y2) + "\" class=\"" + std::string(style) + "\"/>";
+         coordinate(x2) + "\" y2=\"" + coordinate(y2) + "\" " + more + "/>";
 }
 
 std::string svgRectangle(double x, double y, double width, double height, const std::string& more) {
   return "<rect x=\"" + coordinate(x) + "\" y=\"" + coordinate(y) + "\" width=\"" +
          coordinate(width) + "\" height=\"" + coordinate(height) + "\" " + more + "/>";
+}
+
+std::string svgMark(std::size_t series, double x, double y, double radius, const std::string& more,
+                    const std::string& title) {
+  const std::string rest = (more.empty() ? "" : " " + more) + ">" + title;
+  const std::vector<double> corners = markCorners(series);
+  if (corners.empty())
+    return "<circle cx=\"" + coordinate(x) + "\" cy=\"" + coordinate(y) + "\" r=\"" +
+           coordinate(radius) + "\"" + rest + "</circle>";
+  std::string points;
+  for (std::size_t k = 0; k < corners.size(); k += 2)
+    points += (k == 0 ? "" : " ") + coordinate(x + radius * corners[k]) + "," +
+              coordinate(y + radius * corners[k + 1]);
+  return "<polygon points=\"" + points + "\"" + rest + "</polygon>";
 }
 
 std::string svgFill(double share) {
@@ -249,21 +255,20 @@ std::string svgFrame(const Axis& across, const Axis& up, const std::string& titl
   const double right = std::max(across.from, across.to);
   const double top = std::min(up.from, up.to);
   const double bottom = std::max(up.from, up.to);
+  constexpr const char* grid = "class=\"grid\"";
   std::string text;
   if (ticks.empty()) ticks = linearTicksAcross(across);
   for (const Tick& tick : ticks) {
     const double x = across.at(tick.value);
-    text += svgLine(x, top, x, bottom, "grid");
+    text += svgLine(x, top, x, bottom, grid);
     if (!tick.text.empty()) text += svgText(x, bottom + 17, "middle", tick.text);
   }
   for (const Tick& tick : ticksUp(up)) {
     const double y = up.at(tick.value);
-    text += svgLine(left, y, right, y, "grid") + svgText(left - 6, y + 4, "end", tick.text);
+    text += svgLine(left, y, right, y, grid) + svgText(left - 6, y + 4, "end", tick.text);
   }
-  text += "<rect x=\"" + coordinate(left) + "\" y=\"" + coordinate(top) + "\" width=\"" +
-          coordinate(right - left) + "\" height=\"" + coordinate(bottom - top) +
-          "\" class=\"frame\"/>";
-  text += svgText((left + right) / 2, bottom + 36, "middle", titleAcross);
+  text += svgRectangle(left, top, right - left, bottom - top, "class=\"frame\"") +
+          svgText((left + right) / 2, bottom + 36, "middle", titleAcross);
   return text + "<g transform=\"translate(13 " + coordinate((top + bottom) / 2) +
          ") rotate(-90)\">" + svgText(0, 0, "middle", titleUp) + "</g>\n";
 }
@@ -272,9 +277,7 @@ std::string svgOf(const Plot& plot, const PlotBox& box, const std::string& style
                   const std::string& label) {
   const PlotArea area = areaOf(plot, box);
   const Legend legend = legendOf(plot, box);
-  std::string text = "<svg class=\"" + style + "\" viewBox=\"0 0 " + numberText(box.width) + " " +
-                     numberText(box.height + legend.height) + "\" role=\"img\" aria-label=\"" +
-                     escaped(label) + "\">" +
+  std::string text = svgStart(style, box.width, numberText(box.height + legend.height), label) +
                      svgFrame(area.across, area.up, plot.titleAcross, plot.titleUp,
                               ticksAcross(plot, area.across));
   if (area.hasIdentical) text += svgText(box.left - 6, 28, "end", "identical");

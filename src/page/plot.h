@@ -84,15 +84,21 @@ std::vector<double> dashesOf(std::size_t series);
 std::string svgOf(const Plot& plot, const PlotBox& box, const std::string& style,
                   const std::string& label);
 
-// SVG elements for other figures.
+// SVG elements for other figures. `more` are attributes.
 
+/// Returns the start of an element `<svg>` of the class `style`; `label` is read to those who do
+/// not see it.
+std::string svgStart(std::string_view style, double width, const std::string& height,
+                     const std::string& label);
 /// Formats a coordinate with two digits after the point.
 std::string coordinate(double value);
 /// Returns a text element; `anchor` is start, middle or end.
 std::string svgText(double x, double y, std::string_view anchor, const std::string& text);
-std::string svgLine(double x1, double y1, double x2, double y2, std::string_view style);
-/// Returns a rectangle; `more` are further attributes.
+std::string svgLine(double x1, double y1, double x2, double y2, const std::string& more);
 std::string svgRectangle(double x, double y, double width, double height, const std::string& more);
+/// Returns the mark of a series with an element `<title>`, or "".
+std::string svgMark(std::size_t series, double x, double y, double radius, const std::string& more,
+                    const std::string& title);
 /// Returns the attribute of a false colour, 0 … 1.
 std::string svgFill(double share);
 /// Returns an upright scale of the false colours, with `unit` above; 64 units wide with its text.

@@ -117,8 +117,7 @@ std::string mark(const ViewPoint& point, const ReportRow& row, double x, double 
   const std::string fill = point.kind == PlotKind::identical
                                ? std::string("class=\"hollow\"")
                                : svgFill((point.psnr - psnrs.low) / psnrs.width());
-  return "<circle cx=\"" + coordinate(x) + "\" cy=\"" + coordinate(y) + "\" r=\"" +
-         coordinate(radius) + "\" " + fill + ">" + title + "</circle>\n";
+  return svgMark(0, x, y, radius, fill, title) + "\n";
 }
 
 /// A kind of map: the coordinate of an eye on the vertical axis, and the panel's outline.
@@ -173,9 +172,8 @@ std::string map(const MapKind& kind, const std::vector<ReportRow>& rows,
                 const std::vector<ViewPoint>& points, double halfWidth, const Span& psnrs) {
   const auto [across, up] = axesOf(kind, points, halfWidth);
   const double bottom = std::max(up.from, up.to);
-  std::string text = "<svg class=\"map\" viewBox=\"0 0 " + numberText(columnUnits) + " " +
-                     coordinate(bottom + 46) + "\" role=\"img\" aria-label=\"" + kind.title +
-                     "\">" + svgText(mapLeft, 17, "start", kind.title) +
+  std::string text = svgStart("map", columnUnits, coordinate(bottom + 46), kind.title) +
+                     svgText(mapLeft, 17, "start", kind.title) +
                      svgFrame(across, up, "x in m, to the viewer's right", kind.titleUp) +
                      panelMark(kind, across, up, halfWidth) + "<g class=\"points\">\n";
   for (const ViewPoint& point : points)
@@ -331,9 +329,8 @@ std::string svgOf(const CellPlot& plot, const std::string& png) {
   const double width = std::min(mapWidth, most / shape);
   const Axis across{0, double(plot.cells[0]), mapLeft, mapLeft + width};
   const Axis down{0, double(plot.cells[1]), mapTop, mapTop + shape * width};
-  std::string text = "<svg class=\"map\" viewBox=\"0 0 " + numberText(columnUnits) + " " +
-                     coordinate(down.to + 46) + "\" role=\"img\" aria-label=\"" +
-                     escaped(plot.title) + "\">" + svgText(mapLeft, 17, "start", plot.title) +
+  std::string text = svgStart("map", columnUnits, coordinate(down.to + 46), plot.title) +
+                     svgText(mapLeft, 17, "start", plot.title) +
                      svgFrame(across, down, plot.titleAcross, plot.titleUp) + "<image x=\"" +
                      coordinate(across.from) + "\" y=\"" + coordinate(down.from) + "\" width=\"" +
                      coordinate(width) + "\" height=\"" + coordinate(shape * width) +
