@@ -6,16 +6,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/base/colour_map.h"
+#include "chart/painting.h"
 
 namespace hogelscope {
 
 namespace {
-
-QColor colourOf(double share) {
-  const auto [r, g, b] = falseColour(share);
-  return {r, g, b};
-}
 
 /// Returns the square of the taps; a line of text follows below it.
 QRectF squareIn(const QSizeF& size, const QFontMetrics& text) {
@@ -59,7 +54,7 @@ struct KernelPainter {
     painter.setRenderHint(QPainter::Antialiasing, false);
     painter.setPen(hasGrid ? QPen(QColor(0, 0, 0, 90)) : QPen(Qt::NoPen));
     for (int k = 0; k < int(weights.size()); ++k) {
-      painter.setBrush(colourOf(weights[std::size_t(k)] / most));
+      painter.setBrush(shadeColour(weights[std::size_t(k)] / most));
       // A small overlap prevents background lines between cells without a grid.
       const double overlap = hasGrid ? 0 : 1;
       painter.drawRect(cell(k).adjusted(0, 0, overlap, overlap).intersected(square));

@@ -7,7 +7,6 @@
 #include <algorithm>
 
 #include "chart/plot_painting.h"
-#include "core/base/colour_map.h"
 #include "core/base/text.h"
 
 namespace hogelscope {
@@ -21,9 +20,9 @@ QImage cellsOf(const MapPlot& plot) {
     for (int column = 0; column < plot.columns; ++column) {
       const double value =
           plot.values[std::size_t(row) * std::size_t(plot.columns) + std::size_t(column)];
-      const auto [r, g, b] =
-          falseColour((value - plot.shades[0]) / (plot.shades[1] - plot.shades[0]));
-      image.setPixel(column, plot.rows() - 1 - row, qRgb(r, g, b));
+      image.setPixelColor(
+          column, plot.rows() - 1 - row,
+          shadeColour((value - plot.shades[0]) / (plot.shades[1] - plot.shades[0])));
     }
   return image;
 }
@@ -71,13 +70,12 @@ void paintMap(QPainter& painter, const QSizeF& size, const MapPlot& plot,
     writeName(painter, place(to) + QPointF(4, endsBelow ? -6 : text), QString::fromStdString(name));
   }
   painter.setPen(colours.text2);
-  const std::vector<Tick> ticks =
-      plot.ticks.empty() ? linearTicks(across, std::max(2, int(area.width() / (5 * text))))
-                         : plot.ticks;
+  std::vector<Tick> ticks = plot.ticks.empty()
+                                ? linearTicks(across, std::max(2, int(area.width() / (5 * text))))
+                                : plot.ticks;
+  std::ranges::sort(ticks, {}, &Tick::value);
   double free = area.left() - 2 * text;
-  std::vector<Tick> sorted = ticks;
-  std::ranges::sort(sorted, {}, &Tick::value);
-  for (const Tick& tick : sorted) {
+  for (const Tick& tick : ticks) {
     const double x = across.at(tick.value);
     const QString words = QString::fromStdString(tick.text);
     const double half = painter.fontMetrics().horizontalAdvance(words) / 2.0;

@@ -7,6 +7,8 @@
 #include <QTemporaryDir>
 #include <cstdio>
 
+#include "core/base/colour_map.h"
+
 namespace hogelscope {
 
 namespace {
@@ -31,6 +33,11 @@ void paintOn(QPaintDevice& device, const Paint& paint, const QSize& size) {
 }
 
 }  // namespace
+
+QColor shadeColour(double share) {
+  const auto [r, g, b] = falseColour(share);
+  return {r, g, b};
+}
 
 const ChartColours& printColours() {
   static const ChartColours colours{.background = Qt::white,

@@ -34,6 +34,9 @@ struct ChartColours {
   std::array<QColor, 4> series;  ///< circle, square, triangle, diamond
 };
 
+/// Returns a false colour, 0 … 1.
+QColor shadeColour(double share);
+
 /// Returns the colours of files: dark on white.
 const ChartColours& printColours();
 

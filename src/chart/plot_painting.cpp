@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/base/colour_map.h"
 #include "core/base/text.h"
 
 namespace hogelscope {
@@ -49,9 +48,7 @@ struct PlotPainter {
   }
   [[nodiscard]] QColor shadeOf(double value) const {
     if (std::isinf(value)) return colours.text;  // identical
-    const auto [r, g, b] =
-        falseColour((value - plot.shades->low) / (plot.shades->high - plot.shades->low));
-    return {r, g, b};
+    return shadeColour((value - plot.shades->low) / (plot.shades->high - plot.shades->low));
   }
   void write(const QRectF& box, int flags, const std::string& words, const QColor& colour) const {
     painter.setPen(colour);
@@ -180,10 +177,8 @@ void paintColourBar(QPainter& painter, const QRectF& bar, const QString& low, co
                     const QColor& text) {
   QLinearGradient colours(bar.bottomLeft(), bar.topLeft());
   constexpr int steps = 16;
-  for (int k = 0; k <= steps; ++k) {
-    const auto [r, g, b] = falseColour(double(k) / steps);
-    colours.setColorAt(double(k) / steps, QColor(r, g, b));
-  }
+  for (int k = 0; k <= steps; ++k)
+    colours.setColorAt(double(k) / steps, shadeColour(double(k) / steps));
   painter.fillRect(bar, colours);
   painter.setPen(text);
   const QRectF beside(bar.right() + 5, bar.top(), 100, bar.height());

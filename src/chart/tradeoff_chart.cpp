@@ -7,7 +7,7 @@
 #include <array>
 #include <utility>
 
-#include "page/plot.h"
+#include "chart/plot_painting.h"
 
 namespace hogelscope {
 
@@ -32,13 +32,8 @@ void paintShape(QPainter& painter, const QPointF& centre, double radius, Family 
       family == Family::several ? colours.text2 : colours.series[std::size_t(family)];
   painter.setPen(QPen(colour, 1.5));
   painter.setBrush(isHollow ? colours.background : colour);
-  const std::vector<double> corners =
-      markCorners(family == Family::several ? 0 : std::size_t(family));
-  if (corners.empty()) return painter.drawEllipse(centre, radius, radius);
-  QPolygonF polygon;
-  for (std::size_t k = 0; k < corners.size(); k += 2)
-    polygon << centre + 0.9 * radius * QPointF(corners[k], corners[k + 1]);
-  painter.drawPolygon(polygon);
+  const std::size_t mark = family == Family::several ? 0 : std::size_t(family);
+  paintMark(painter, centre, mark == 0 ? radius : 0.9 * radius, mark);
 }
 
 void paintRing(QPainter& painter, const QPointF& centre, double radius, const QColor& colour) {

@@ -13,7 +13,6 @@
 #include <utility>
 
 #include "chart/plot_painting.h"
-#include "core/base/colour_map.h"
 #include "core/base/text.h"
 #include "gui/docks/chart_colours.h"
 
@@ -256,9 +255,8 @@ void BarDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,
     painter->setBrush(tokens().text);
     painter->drawEllipse(QPointF(left + share(4) * width, middle), scaled(4), scaled(4));
   } else {
-    const auto [r, g, b] = falseColour(share(0));
     paintSpan(0, 1, scaled(4), tokens().line);
-    paintSpan(0, share(0), scaled(4), QColor(r, g, b));
+    paintSpan(0, share(0), scaled(4), shadeColour(share(0)));
   }
   painter->restore();
 }
