@@ -36,7 +36,7 @@
 #include "gui/docks/tradeoff_widget.h"
 #include "gui/scene/scene_output.h"
 #include "gui/view/view_output.h"
-#include "gui/widgets/polled_bar.h"
+#include "gui/widgets/task_widgets.h"
 #include "tests/core/rendered.h"
 #include "tests/gui/scene_test.h"
 #include "tests/gui/shown_image.h"

@@ -39,7 +39,7 @@
 #include "gui/widgets/colours.h"
 #include "gui/widgets/command.h"
 #include "gui/widgets/hint.h"
-#include "gui/widgets/polled_bar.h"
+#include "gui/widgets/task_widgets.h"
 #include "ui_main_window.h"
 
 namespace hogelscope {

@@ -5,15 +5,13 @@
 #include <QDir>
 #include <QFileInfo>
 #include <QLabel>
-#include <QPushButton>
 #include <QUrl>
 #include <QVBoxLayout>
 
 #include "core/base/error.h"
 #include "gui/session/session_forms.h"
 #include "gui/widgets/dialogs.h"
-#include "gui/widgets/polled_bar.h"
-#include "gui/widgets/task.h"
+#include "gui/widgets/task_widgets.h"
 #include "measure/measure_run.h"
 
 namespace hogelscope {
@@ -22,39 +20,39 @@ MeasureRunWidget::MeasureRunWidget(SessionModel* model, QWidget* parent)
     : QWidget(parent),
       m_model(model),
       m_task(new Task(this)),
-      m_button(button("measureAllButton", {},
-                      tr("Measures all figures of the display, and writes a page with plots and a "
-                         "table into a folder"))),
       m_open(button("openMeasurePageButton", tr("&Open the page"),
                     tr("Shows the page in a web browser"))),
-      m_progress(new PolledBar([this] { return m_task->share(); }, this)),
       m_note(new QLabel) {
   m_note->setObjectName("measureAllNote");
   m_note->setWordWrap(true);
   m_note->setTextFormat(Qt::PlainText);
   m_open->hide();
+  auto* measureAll = button<TaskButton>(
+      "measureAllButton", tr("Measure &all…"),
+      tr("Measures all figures of the display, and writes a page with plots and a "
+         "table into a folder"));
+  measureAll->control(m_task, [this] { askFolder(); });
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
-  for (QWidget* widget : std::initializer_list<QWidget*>{m_button, m_progress, m_note, m_open})
+  for (QWidget* widget :
+       std::initializer_list<QWidget*>{measureAll, new PolledBar(m_task, this), m_note, m_open})
     column->addWidget(widget);
-  connect(m_button, &QPushButton::clicked, this, &MeasureRunWidget::measureOrStop);
   connect(m_open, &QPushButton::clicked, this, [this] {
     if (!QDesktopServices::openUrl(QUrl::fromLocalFile(m_page)))
-      showIdle(tr("%1: no web browser could be started for it").arg(m_page));
+      showNote(tr("%1: no web browser could be started for it").arg(m_page));
   });
   connect(m_task, &Task::stopped, this, [this] {
-    showIdle(tr("Stopped. What is finished is kept: the same folder goes on from there."));
+    showNote(tr("Stopped. What is finished is kept: the same folder goes on from there."));
   });
-  connect(m_task, &Task::failed, this, &MeasureRunWidget::showIdle);
-  showIdle({});
+  connect(m_task, &Task::failed, this, &MeasureRunWidget::showNote);
+  showNote({});
 }
 
 MeasureRunWidget::~MeasureRunWidget() {
   m_task->abandon();
 }
 
-void MeasureRunWidget::measureOrStop() {
-  if (m_task->isRunning()) return m_task->stop();
+void MeasureRunWidget::askFolder() {
   const QString folder = chooseFolder(this, tr("Measure all into a folder"));
   if (!folder.isEmpty()) measureInto(folder);
 }
@@ -74,19 +72,15 @@ void MeasureRunWidget::measureInto(const QString& folder) {
     const std::size_t count = measure(request, progress).figures.size();
     return [this, page, count] {
       m_page = page;
-      showIdle(tr("%1 rows are in %2").arg(count).arg(QFileInfo(page).dir().dirName()));
+      showNote(tr("%1 rows are in %2").arg(count).arg(QFileInfo(page).dir().dirName()));
       m_open->show();
     };
   });
   m_open->hide();
   m_note->hide();
-  m_progress->show();
-  m_button->setText(tr("&Stop"));
 }
 
-void MeasureRunWidget::showIdle(const QString& note) {
-  m_progress->hide();
-  m_button->setText(tr("Measure &all…"));
+void MeasureRunWidget::showNote(const QString& note) {
   m_note->setText(note);
   m_note->setVisible(!note.isEmpty());
 }

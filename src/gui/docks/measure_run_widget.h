@@ -10,7 +10,6 @@ class QPushButton;
 
 namespace hogelscope {
 
-class PolledBar;
 class SessionModel;
 class Task;
 
@@ -25,13 +24,12 @@ class MeasureRunWidget : public QWidget {
   void measureInto(const QString& folder);
 
  private:
-  void measureOrStop();
-  void showIdle(const QString& note);
+  void askFolder();
+  void showNote(const QString& note);
 
   SessionModel* m_model;
   Task* m_task;
-  QPushButton *m_button, *m_open;
-  PolledBar* m_progress;
+  QPushButton* m_open;
   QLabel* m_note;
   QString m_page;  ///< the last one written
 };

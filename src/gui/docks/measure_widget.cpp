@@ -21,8 +21,7 @@
 #include "gui/docks/painted_plot.h"
 #include "gui/docks/sweep_widget.h"
 #include "gui/session/session_forms.h"
-#include "gui/widgets/polled_bar.h"
-#include "gui/widgets/task.h"
+#include "gui/widgets/task_widgets.h"
 #include "measure/measure_page.h"
 
 namespace hogelscope {
@@ -53,7 +52,6 @@ std::vector<MeasuredFigure> mapFigures(const Session& session, const PanelParams
 MeasureWidget::MeasureWidget(QWidget* parent)
     : QWidget(parent),
       m_task(new Task(this)),
-      m_progress(new PolledBar([this] { return m_task->share(); }, this)),
       m_status(new QLabel),
       m_fit(new QPushButton(tr("&Fit the content"))),
       m_tints(new QCheckBox(tr("&Tint what is not sharp"))),
@@ -63,7 +61,6 @@ MeasureWidget::MeasureWidget(QWidget* parent)
   constexpr int restTime = 400;  // ms
   m_rest.setSingleShot(true);
   m_rest.setInterval(restTime);
-  m_progress->hide();
   auto* controls = new QWidget;
   controls->setLayout(m_controls);
   m_controls->setSpacing(scaled(12));
@@ -76,11 +73,7 @@ MeasureWidget::MeasureWidget(QWidget* parent)
   columns->addWidget(m_area);
   columns->addLayout(m_right, 1);
   connect(&m_rest, &QTimer::timeout, this, &MeasureWidget::simulate);
-  connect(m_task, &Task::stopped, m_progress, &QWidget::hide);
-  connect(m_task, &Task::failed, this, [this](const QString& line) {
-    m_progress->hide();
-    showStatus(line);
-  });
+  connect(m_task, &Task::failed, this, &MeasureWidget::showStatus);
 }
 
 MeasureWidget::~MeasureWidget() {
@@ -118,8 +111,8 @@ void MeasureWidget::addControls() {
     return label;
   };
   for (QWidget* widget : std::initializer_list<QWidget*>{
-           m_sliders, m_tints, m_fit, m_status, m_progress, heading(tr("Sweep")), m_sweep,
-           heading(tr("All figures")), new MeasureRunWidget(m_model)})
+           m_sliders, m_tints, m_fit, m_status, new PolledBar(m_task), heading(tr("Sweep")),
+           m_sweep, heading(tr("All figures")), new MeasureRunWidget(m_model)})
     m_controls->addWidget(widget);
   m_controls->addStretch(1);
   m_fit->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
@@ -271,7 +264,6 @@ void MeasureWidget::simulate() {
     const Bench bench = benchOf(session, panel);
     return [this, session, contrast = mtfMap(bench, figures), zone = zoneMap(bench, figures),
             most = agreementOf(figures).most] {
-      m_progress->hide();
       if (session != ofCurrent()) return;
       m_shown.contrast = contrast;
       m_shown.zone = zone;
@@ -280,7 +272,6 @@ void MeasureWidget::simulate() {
       update();
     };
   });
-  m_progress->show();
 }
 
 void MeasureWidget::showDepths(const DepthFigures& figures, std::optional<DepthProposal> proposal,

@@ -24,7 +24,6 @@ namespace hogelscope {
 
 class DesignNumbersWidget;
 class DesignSliders;
-class PolledBar;
 class SessionModel;
 class SweepWidget;
 class Task;
@@ -80,7 +79,6 @@ class MeasureWidget : public QWidget {
   Shown m_shown;
   QTimer m_rest;  ///< until edits have rested
   Task* m_task;
-  PolledBar* m_progress;
   QLabel* m_status;
   QPushButton* m_fit;
   QCheckBox* m_tints;

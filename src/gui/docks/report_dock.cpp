@@ -19,8 +19,7 @@
 #include "gui/widgets/colours.h"
 #include "gui/widgets/command.h"
 #include "gui/widgets/dialogs.h"
-#include "gui/widgets/polled_bar.h"
-#include "gui/widgets/task.h"
+#include "gui/widgets/task_widgets.h"
 #include "io/plugins/metric_plugins.h"
 #include "report/page/report_tables.h"
 #include "report/report_run.h"
@@ -54,18 +53,16 @@ ReportDock::ReportDock(QWidget* parent)
     : QWidget(parent),
       m_ui(std::make_unique<Ui::ReportDock>()),
       m_task(new Task(this)),
+      m_reading(new Task(this)),
       m_testTable(new TestTable(this)),
       m_stateTable(new StateTable(this)),
       m_sorted(new FilteredRows(
           m_stateTable, [this](int row, std::size_t k) { return m_stateTable->numberOf(row, k); })),
-      m_plots(new ReportPlots(m_data)),
-      m_progress(new PolledBar([this] { return m_task->share(); })) {
+      m_plots(new ReportPlots(m_data)) {
   setMinimumWidth(scaled(360));  // less than the plots need, which are then hidden
   m_ui->setupUi(this);
   m_ui->testList->setMaximumHeight(scaled(72));
   m_ui->reportFilter->setMaximumWidth(scaled(240));
-  m_progress->setObjectName("reportProgress");
-  m_ui->tools->insertWidget(m_ui->tools->indexOf(m_ui->openReportButton) + 1, m_progress);
   m_ui->parts->addWidget(m_plots);
   m_ui->parts->setSizes({812, 577});
   m_ui->tables->setSizes({200, 400});
@@ -91,7 +88,7 @@ void ReportDock::connectTools() {
   m_ui->testsButton->setIcon(icon("new"));
   m_ui->openPageButton->setIcon(icon("external"));
   m_ui->copyTableButton->setIcon(icon("copy_table"));
-  connect(m_ui->makeReportButton, &QPushButton::clicked, this, &ReportDock::makeOrStop);
+  m_ui->makeReportButton->control(m_task, [this] { make(); });
   connect(m_ui->openPageButton, &QToolButton::clicked, this, &ReportDock::openPage);
   connect(m_ui->copyTableButton, &QToolButton::clicked, this,
           [this] { m_ui->reportTable->copy(true); });
@@ -113,21 +110,20 @@ void ReportDock::connectTools() {
     delete m_ui->testList->currentItem();
     showIdle();
   });
-  connect(m_progress, &QProgressBar::valueChanged, this, [this] {
+  auto* progress = new PolledBar(m_task);
+  progress->setObjectName("reportProgress");
+  m_ui->tools->insertWidget(m_ui->tools->indexOf(m_ui->openReportButton) + 1, progress);
+  connect(progress, &QProgressBar::valueChanged, this, [this, progress] {
     const std::string left = timeLeft(double(m_clock.elapsed()) / 1000, m_task->share());
-    m_progress->setFormat("%p % " + QString::fromStdString(left));
+    progress->setFormat("%p % " + QString::fromStdString(left));
   });
+  connect(m_reading, &Task::failed, this, &ReportDock::showFailure);
+  connect(m_task, &Task::runningChanged, this, &ReportDock::showIdle);
   connect(m_task, &Task::stopped, this, [this] {
-    showIdle();
     m_ui->reportNote->setText(
         tr("Stopped. What is finished is kept: the same report goes on from there."));
   });
-  connect(m_task, &Task::failed, this, [this](const QString& line) {
-    m_ui->testsButton->setChecked(true);
-    showIdle();
-    m_ui->reportNote->setText(line);
-    Q_EMIT failed(line);
-  });
+  connect(m_task, &Task::failed, this, &ReportDock::showFailure);
 }
 
 void ReportDock::connectTables() {
@@ -186,7 +182,8 @@ void ReportDock::setModel(SessionModel* model, QMenu* fileMenu, QMenu* statesMen
 
 /// Removes rows of another session and stops a running report.
 void ReportDock::forget() {
-  if (m_task->isRunning()) stop();
+  if (m_task->isRunning()) m_ui->makeReportButton->stop();
+  m_reading->abandon();
   m_data = ReportData();
   m_ui->testsButton->setChecked(true);
   m_ui->reportNote->clear();
@@ -234,8 +231,13 @@ void ReportDock::openPage() {
     Q_EMIT failed(tr("%1: no web browser could be started for it").arg(page));
 }
 
-void ReportDock::makeOrStop() {
-  if (m_task->isRunning()) return stop();
+void ReportDock::showFailure(const QString& line) {
+  m_ui->testsButton->setChecked(true);
+  m_ui->reportNote->setText(line);
+  Q_EMIT failed(line);
+}
+
+void ReportDock::make() {
   try {
     start();
   } catch (const InputError& error) {
@@ -245,6 +247,7 @@ void ReportDock::makeOrStop() {
 }
 
 void ReportDock::start() {
+  m_reading->abandon();
   ReportData made{withEyes(m_model->session()), m_ui->reportFolder->text().toStdString()};
   made.metrics = metricsOf(made.session.metrics);
   for (int k = 0; k < m_ui->testList->count(); ++k)
@@ -266,7 +269,6 @@ void ReportDock::start() {
   m_test = 0;
   m_ui->testsButton->setChecked(false);
   showAll();
-  m_ui->makeReportButton->setText(tr("&Stop"));
   m_clock.start();
   m_task->start(
       [this, task = m_task, request, tests = made.tests](const Progress& progress) mutable {
@@ -288,27 +290,17 @@ void ReportDock::start() {
             m_ui->reportNote->setText(m_ui->reportNote->text() + "\n" + orders.join("\n"));
         };
       });
-  m_progress->setVisible(true);
 }
 
-void ReportDock::stop() {
-  m_task->stop();
-  m_ui->makeReportButton->setText(tr("Stopping…"));
-  m_ui->makeReportButton->setEnabled(false);
-}
-
-/// Resets the controls, except while a report is generated.
+/// Shows what can be done, except while a report is generated.
 void ReportDock::showIdle() {
   showOffer();
-  if (m_task->isRunning()) return;
-  m_ui->makeReportButton->setText(m_data.rows.empty() ? tr("&Make report") : tr("&Make again"));
-  m_ui->makeReportButton->setEnabled(m_model != nullptr && !m_model->session().cameras.empty() &&
-                                     m_ui->testList->count() > 0);
-  m_progress->setVisible(false);
+  m_ui->makeReportButton->setIdle(
+      m_data.rows.empty() ? tr("&Make report") : tr("&Make again"),
+      m_model != nullptr && !m_model->session().cameras.empty() && m_ui->testList->count() > 0);
 }
 
 void ReportDock::finish(const Report& report, const std::vector<std::optional<double>>& rates) {
-  showIdle();
   if (m_data.rows.empty()) return;  // rows of another session
   m_data.rows = report.rows;
   m_data.summaries = report.summaries;
@@ -319,11 +311,11 @@ void ReportDock::finish(const Report& report, const std::vector<std::optional<do
 }
 
 void ReportDock::openReport(const QString& folder) {
-  if (m_task->isRunning()) return;
+  if (m_task->isRunning() || m_reading->isRunning()) return;
   try {
     ReportData made{m_model->session(), folder.toStdString(), true};
     made.metrics = metricsOf(made.session.metrics);
-    m_task->start([this, made](const Progress&) mutable {
+    m_reading->start([this, made](const Progress&) mutable {
       const StoredReport stored = readReport(made.folder, made.metrics);
       made.take(stored, ratesOf(made.session, testsOf(stored.rows)));
       return [this, made] { showRead(made); };

@@ -18,7 +18,6 @@ class ReportDock;
 
 namespace hogelscope {
 
-class PolledBar;
 class ReportPlots;
 class SessionModel;
 class Task;
@@ -60,9 +59,9 @@ class ReportDock : public QWidget {
   void noteEdits();
   void showOffer();
   void openPage();
-  void makeOrStop();
   void start();
-  void stop();
+  void make();
+  void showFailure(const QString& line);
   void showIdle();
   void finish(const Report& report, const std::vector<std::optional<double>>& rates);
   void showRead(const ReportData& read);
@@ -86,13 +85,13 @@ class ReportDock : public QWidget {
   std::size_t m_test = 0;  ///< the chosen test
   bool m_follows = false;  ///< the row selection follows the current state
   std::unique_ptr<Ui::ReportDock> m_ui;
-  Task* m_task;
+  Task* m_task;     ///< makes a report
+  Task* m_reading;  ///< reads one that was made before
   TestTable* m_testTable;
   StateTable* m_stateTable;
   FilteredRows* m_sorted;
   ReportPlots* m_plots;
   QString m_offered;
-  PolledBar* m_progress;
   QElapsedTimer m_clock;
 };
 

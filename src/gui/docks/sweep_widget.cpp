@@ -5,13 +5,11 @@
 #include <QFormLayout>
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QPushButton>
 #include <algorithm>
 #include <cmath>
 
 #include "gui/session/session_forms.h"
-#include "gui/widgets/polled_bar.h"
-#include "gui/widgets/task.h"
+#include "gui/widgets/task_widgets.h"
 #include "measure/measurement.h"
 
 namespace hogelscope {
@@ -52,10 +50,6 @@ SweepWidget::SweepWidget(SessionModel* model, std::function<Hold()> hold, QWidge
       m_figure(new QComboBox),
       m_from(new RealField(this)),
       m_to(new RealField(this)),
-      m_button(button("sweepButton", {},
-                      tr("Measures designs whose chosen quantity has up to 12 values in the range, "
-                         "for the current eye"))),
-      m_progress(new PolledBar([this] { return m_task->share(); }, this)),
       m_note(new QLabel) {
   m_parameter->setObjectName("sweepParameter");
   m_figure->setObjectName("sweepFigure");
@@ -73,6 +67,11 @@ SweepWidget::SweepWidget(SessionModel* model, std::function<Hold()> hold, QWidge
   }
   for (QComboBox* box : {m_parameter, m_figure})
     box->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+  auto* sweepButton = button<TaskButton>(
+      "sweepButton", tr("S&weep"),
+      tr("Measures designs whose chosen quantity has up to 12 values in the range, "
+         "for the current eye"));
+  sweepButton->control(m_task, [this] { sweep(); });
   auto* ends = new QHBoxLayout;
   ends->addWidget(m_from);
   ends->addWidget(m_to);
@@ -80,21 +79,17 @@ SweepWidget::SweepWidget(SessionModel* model, std::function<Hold()> hold, QWidge
   form->setContentsMargins(0, 0, 0, 0);
   form->addRow(tr("Parameter"), m_parameter);
   form->addRow(tr("Range"), ends);
-  form->addRow(m_button);
-  form->addRow(m_progress);
+  form->addRow(sweepButton);
+  form->addRow(new PolledBar(m_task, this));
   form->addRow(tr("Figure"), m_figure);
   form->addRow(m_note);
-  connect(m_button, &QPushButton::clicked, this, &SweepWidget::sweepOrStop);
   connect(m_parameter, &QComboBox::currentIndexChanged, this, &SweepWidget::propose);
   connect(m_figure, &QComboBox::currentIndexChanged, this, &SweepWidget::plotChanged);
   connect(m_model, &SessionModel::opened, this, &SweepWidget::forget);
-  connect(m_task, &Task::stopped, this, &SweepWidget::showIdle);
   connect(m_task, &Task::failed, this, [this](const QString& line) {
-    showIdle();
     m_note->setText(line);
     m_note->show();
   });
-  showIdle();
 }
 
 SweepWidget::~SweepWidget() {
@@ -124,8 +119,7 @@ void SweepWidget::propose() {
   fill(m_to, isOff ? chosen.most / 2 : 2 * own);
 }
 
-void SweepWidget::sweepOrStop() {
-  if (m_task->isRunning()) return m_task->stop();
+void SweepWidget::sweep() {
   Session base = m_model->session();
   base.cameras = {m_model->current()};
   Swept swept{&parameter(), valuesOf(parameter(), m_from->value(), m_to->value()), {}};
@@ -137,16 +131,15 @@ void SweepWidget::sweepOrStop() {
   if (!base.lightField.isLive()) names.pop_back();
   m_task->start([=, this, opening = m_opening](const Progress& progress) mutable {
     swept.rows = measureDesigns(designs, names, progress);
-    return [this, swept, opening] { opening == m_opening ? show(swept) : showIdle(); };
+    return [this, swept, opening] {
+      if (opening == m_opening) show(swept);
+    };
   });
   m_note->hide();
-  m_button->setText(tr("&Stop"));
-  m_progress->show();
 }
 
 void SweepWidget::show(const Swept& swept) {
   m_swept = swept;
-  showIdle();
   const auto wrong =
       std::ranges::find_if(swept.rows, [](const SweepRow& row) { return !row.problem.empty(); });
   if (wrong != swept.rows.end()) {
@@ -155,11 +148,6 @@ void SweepWidget::show(const Swept& swept) {
     m_note->show();
   }
   Q_EMIT plotChanged();
-}
-
-void SweepWidget::showIdle() {
-  m_progress->hide();
-  m_button->setText(tr("S&weep"));
 }
 
 void SweepWidget::forget() {

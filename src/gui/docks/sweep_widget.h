@@ -14,11 +14,9 @@
 
 class QComboBox;
 class QLabel;
-class QPushButton;
 
 namespace hogelscope {
 
-class PolledBar;
 class SessionModel;
 class Task;
 
@@ -45,9 +43,8 @@ class SweepWidget : public QWidget {
 
   [[nodiscard]] const DesignParameter& parameter() const;
   void propose();
-  void sweepOrStop();
+  void sweep();
   void show(const Swept& swept);
-  void showIdle();
   void forget();
 
   SessionModel* m_model;
@@ -57,8 +54,6 @@ class SweepWidget : public QWidget {
   Task* m_task;
   QComboBox *m_parameter, *m_figure;
   RealField *m_from, *m_to;
-  QPushButton* m_button;
-  PolledBar* m_progress;
   QLabel* m_note;
 };
 

@@ -12,8 +12,7 @@
 #include "core/base/parallel.h"
 #include "gui/docks/chart_colours.h"
 #include "gui/docks/plot_saver.h"
-#include "gui/widgets/polled_bar.h"
-#include "gui/widgets/task.h"
+#include "gui/widgets/task_widgets.h"
 #include "ui_tradeoff_widget.h"
 
 namespace hogelscope {
@@ -109,12 +108,10 @@ void TradeoffChartWidget::leaveEvent(QEvent*) {
 }
 
 TradeoffWidget::TradeoffWidget(QWidget* parent)
-    : QWidget(parent),
-      m_ui(std::make_unique<Ui::TradeoffWidget>()),
-      m_task(new Task(this)),
-      m_progress(new PolledBar([this] { return m_task->share(); }, this)) {
+    : QWidget(parent), m_ui(std::make_unique<Ui::TradeoffWidget>()), m_task(new Task(this)) {
   m_ui->setupUi(this);
-  m_ui->heading->insertWidget(m_ui->heading->indexOf(m_ui->tradeoffStatus), m_progress, 1);
+  m_ui->heading->insertWidget(m_ui->heading->indexOf(m_ui->tradeoffStatus),
+                              new PolledBar(m_task, this), 1);
   m_ui->budgetBox->setValue(int(Budget().seconds));
   m_ui->ownMethodButton->setIcon(icon("reset"));
   QHeaderView* header = m_ui->methodTable->horizontalHeader();
@@ -128,7 +125,7 @@ TradeoffWidget::TradeoffWidget(QWidget* parent)
 TradeoffWidget::~TradeoffWidget() = default;
 
 void TradeoffWidget::connectParts() {
-  connect(m_ui->measureButton, &QPushButton::clicked, this, &TradeoffWidget::measureOrStop);
+  m_ui->measureButton->control(m_task, [this] { measure(); });
   connect(m_ui->ownMethodButton, &QPushButton::clicked, this, [this] { choose(std::nullopt); });
   connect(m_ui->tradeoffChart, &TradeoffChartWidget::clicked, this,
           [this](std::size_t row) { choose(row); });
@@ -152,11 +149,8 @@ void TradeoffWidget::connectParts() {
   for (const Purpose purpose : purposes)
     connect(m_cards[std::size_t(purpose)], &QPushButton::clicked, this,
             [this, purpose] { choose(recommended(rows(), purpose)); });
-  connect(m_task, &Task::stopped, this, &TradeoffWidget::showIdle);
-  connect(m_task, &Task::failed, this, [this](const QString& line) {
-    showIdle();
-    Q_EMIT failed(line);
-  });
+  connect(m_task, &Task::runningChanged, this, &TradeoffWidget::showTask);
+  connect(m_task, &Task::failed, this, &TradeoffWidget::failed);
 }
 
 bool TradeoffWidget::event(QEvent* event) {
@@ -196,7 +190,7 @@ void TradeoffWidget::forget(bool canMeasure, Question question) {
   m_canMeasure = canMeasure;
   m_results = {};
   show(m_hasAsked ? m_question : question);
-  if (m_task->isRunning()) stop();
+  if (m_task->isRunning()) m_ui->measureButton->stop();
 }
 
 void TradeoffWidget::forgetChoice() {
@@ -205,17 +199,7 @@ void TradeoffWidget::forgetChoice() {
   showChoice();
 }
 
-void TradeoffWidget::stop() {
-  m_task->stop();
-  m_ui->measureButton->setText(tr("Stopping…"));
-  m_ui->measureButton->setEnabled(false);
-}
-
-void TradeoffWidget::measureOrStop() {
-  if (m_task->isRunning()) return stop();
-  m_ui->measureButton->setText(tr("&Stop"));
-  m_ui->measureButton->setIcon(icon("stop"));
-  m_ui->budgetBox->setEnabled(false);
+void TradeoffWidget::measure() {
   std::vector<RenderJob> views = m_viewsNow();
   ask(m_question, views);
   Budget budget;
@@ -230,8 +214,6 @@ void TradeoffWidget::measureOrStop() {
           show(m_question);
         };
       });
-  m_ui->tradeoffStatus->hide();
-  m_progress->show();
 }
 
 /// Shows what is measured for the question.
@@ -243,7 +225,7 @@ void TradeoffWidget::show(Question question) {
   m_ui->tradeoffChart->setChart(TradeoffChart(rows, "Error"));
   fillTable(rows);
   arrange();
-  if (!m_task->isRunning()) showIdle();
+  showTask();
 }
 
 void TradeoffWidget::fillTable(const std::vector<TradeoffRow>& rows) {
@@ -311,14 +293,13 @@ void TradeoffWidget::showChoice() {
   m_ui->methodTable->selectRow(int(std::ranges::find(lines, *row) - lines.begin()));
 }
 
-void TradeoffWidget::showIdle() {
+void TradeoffWidget::showTask() {
   const bool isMeasured = !m_results[std::size_t(m_question)].rows.empty();
-  m_ui->measureButton->setText(isMeasured ? tr("&Measure again") : tr("&Measure"));
-  m_ui->measureButton->setIcon(icon("measure"));
-  m_ui->measureButton->setEnabled(m_canMeasure);
-  m_ui->budgetBox->setEnabled(m_canMeasure);
-  m_progress->hide();
-  m_ui->tradeoffStatus->show();
+  const bool isRunning = m_task->isRunning();
+  m_ui->measureButton->setIdle(isMeasured ? tr("&Measure again") : tr("&Measure"), m_canMeasure);
+  m_ui->measureButton->setIcon(icon(isRunning ? "stop" : "measure"));
+  m_ui->budgetBox->setEnabled(m_canMeasure && !isRunning);
+  m_ui->tradeoffStatus->setVisible(!isRunning);
 }
 
 }  // namespace hogelscope

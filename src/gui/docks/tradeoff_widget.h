@@ -22,7 +22,6 @@ class TradeoffWidget;
 namespace hogelscope {
 
 class PlotSaver;
-class PolledBar;
 class Task;
 
 /// The chart without controls. The row under the pointer is described beside its point.
@@ -84,10 +83,9 @@ class TradeoffWidget : public QWidget {
   };
 
   void connectParts();
-  void measureOrStop();
-  void stop();
+  void measure();
   void choose(std::optional<std::size_t> row);
-  void showIdle();
+  void showTask();
   void show(Question question);
   void showStatus();
   void showChoice();
@@ -105,7 +103,6 @@ class TradeoffWidget : public QWidget {
   bool m_canMeasure = false;
   std::unique_ptr<Ui::TradeoffWidget> m_ui;
   Task* m_task;
-  PolledBar* m_progress;
   std::array<QPushButton*, purposes.size()> m_cards{};
 };
 

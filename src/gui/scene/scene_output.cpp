@@ -5,7 +5,6 @@
 #include <QFileInfo>
 #include <QFormLayout>
 #include <QPainter>
-#include <QStatusBar>
 #include <algorithm>
 
 #include "core/base/error.h"
@@ -19,8 +18,6 @@
 #include "gui/widgets/colours.h"
 #include "gui/widgets/command.h"
 #include "gui/widgets/dialogs.h"
-#include "gui/widgets/polled_bar.h"
-#include "gui/widgets/task.h"
 #include "io/images/image_writer.h"
 #include "picture/conversions.h"
 #include "vtk/scene_export.h"
@@ -73,14 +70,10 @@ class PictureDialog : public SizeDialog {
 
 SceneOutput::SceneOutput(QMenu* menu, QStatusBar* statusBar, SceneController* controller,
                          SessionModel* model, QObject* parent)
-    : QObject(parent),
+    : FileOutput("sceneOutputBar", tr("Scene"),
+                 tr("How much of the scene has been drawn and written"), statusBar, parent),
       m_controller(controller),
       m_model(model),
-      m_task(new Task(this)),
-      m_bar(new ReadingBar(
-          tr("Scene"), [this] { return m_task->share(); }, statusBar,
-          tr("How much of the scene has been drawn and written"),
-          tr("Stops, and leaves no file behind"))),
       m_savePicture(addCommand(menu,
                                {"saveSceneAction", tr("Sa&ve scene picture…"),
                                 tr("Saves the 3-D scene from where it is seen now, with as many "
@@ -93,13 +86,7 @@ SceneOutput::SceneOutput(QMenu* menu, QStatusBar* statusBar, SceneController* co
                               "glTF for viewers and renderers, VTP for ParaView and VTK"),
                            Qt::CTRL | Qt::ALT | Qt::Key_X},
                           this, &SceneOutput::askExport)) {
-  m_bar->setObjectName("sceneOutputBar");
-  statusBar->addPermanentWidget(m_bar);
-  connect(m_bar, &ReadingBar::stopAsked, m_task, &Task::stop);
-  connect(m_task, &Task::stopped, this, [this] {
-    showState();
-    Q_EMIT done(tr("Stopped; nothing was written"));
-  });
+  connect(m_task, &Task::runningChanged, this, &SceneOutput::showState);
   connect(model, &SessionModel::opened, this, [this] {
     // Results that arrive later would be of another scene.
     if (m_task->isRunning())
@@ -107,22 +94,12 @@ SceneOutput::SceneOutput(QMenu* menu, QStatusBar* statusBar, SceneController* co
     m_task->abandon();
     showState();
   });
-  connect(m_task, &Task::failed, this, [this](const QString& line) {
-    showState();
-    Q_EMIT failed(line);
-  });
   showState();
 }
 
 void SceneOutput::showState() {
-  m_bar->setVisible(m_task->isRunning());
   for (QAction* action : {m_savePicture, m_export})
     action->setEnabled(!m_model->session().cameras.empty() && !m_task->isRunning());
-}
-
-void SceneOutput::finish(const QString& file) {
-  showState();
-  Q_EMIT done(tr("Saved %1").arg(file));
 }
 
 /// Renders the panel and writes the file on the task's thread; draws the scene on the window's
@@ -142,7 +119,6 @@ void SceneOutput::savePicture(const QString& file, const QSize& size, SceneBackg
       draw(file, size, background);
     };
   });
-  showState();
 }
 
 void SceneOutput::draw(const QString& file, const QSize& size, SceneBackground background) {
@@ -169,11 +145,10 @@ void SceneOutput::draw(const QString& file, const QSize& size, SceneBackground b
     m_task->start([this, picture, file, isTransparent](const Progress& progress) {
       writeImage(file.toStdString(), picture.width(), picture.height(),
                  bytesOf(picture, isTransparent), progress);
-      return [this, file] { finish(file); };
+      return [this, file] { Q_EMIT done(tr("Saved %1").arg(file)); };
     });
   } catch (const std::exception& error) {
     scene.setColours(tokens(), tokens().canvas);
-    showState();
     Q_EMIT failed(file + ": " + QString::fromUtf8(error.what()));
   }
 }
@@ -194,9 +169,8 @@ void SceneOutput::exportTo(const QString& file) {
     const LiveScene* const live = current ? current->lightField->scene() : nullptr;
     if (live != nullptr) parts.mesh = toVtkMesh(live->triangles());
     exportScene(file.toStdString(), parts);
-    return [this, file] { finish(file); };
+    return [this, file] { Q_EMIT done(tr("Saved %1").arg(file)); };
   });
-  showState();
 }
 
 void SceneOutput::askPicture() {

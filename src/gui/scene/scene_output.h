@@ -2,8 +2,9 @@
 // Output of the 3-D scene to files: images of any size, and geometry for other programs.
 #pragma once
 
-#include <QObject>
 #include <QSize>
+
+#include "gui/widgets/task_widgets.h"
 
 class QAction;
 class QMenu;
@@ -15,12 +16,10 @@ namespace hogelscope {
 /// the light scheme.
 enum class SceneBackground { asShown, white, transparent };
 
-class ReadingBar;
 class SceneController;
 class SessionModel;
-class Task;
 
-class SceneOutput : public QObject {
+class SceneOutput : public FileOutput {
   Q_OBJECT
 
  public:
@@ -34,13 +33,8 @@ class SceneOutput : public QObject {
   /// Calls exportScene() in the background. done() or failed() follows later.
   void exportTo(const QString& file);
 
- Q_SIGNALS:
-  void done(const QString& line);
-  void failed(const QString& line);
-
  private:
   void draw(const QString& file, const QSize& size, SceneBackground background);
-  void finish(const QString& file);
   void askPicture();
   void askExport();
   void showState();
@@ -48,8 +42,6 @@ class SceneOutput : public QObject {
   SceneController* m_controller;
   SessionModel* m_model;
   QString m_file;  ///< the output file of the task
-  Task* m_task;
-  ReadingBar* m_bar;
   QAction* m_savePicture;
   QAction* m_export;
 };

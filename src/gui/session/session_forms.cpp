@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "gui/session/session_forms.h"
 
-#include <QPushButton>
 #include <QVBoxLayout>
 
 namespace hogelscope {
@@ -21,13 +20,6 @@ QWidget* stackWidgets(const std::vector<QWidget*>& widgets) {
   for (QWidget* widget : widgets) layout->addWidget(widget);
   layout->addStretch();
   return column;
-}
-
-QPushButton* button(const char* name, const QString& text, const QString& help) {
-  auto* made = new QPushButton(text);
-  made->setObjectName(name);
-  made->setToolTip(help);
-  return made;
 }
 
 }  // namespace hogelscope

@@ -2,14 +2,13 @@
 // Forms for the session's parts, which follow the model; the contents of the docks.
 #pragma once
 
+#include <QPushButton>
 #include <functional>
 #include <vector>
 
 #include "core/optics/session.h"
 #include "gui/session/session_model.h"
 #include "gui/widgets/parameter_form.h"
-
-class QPushButton;
 
 namespace hogelscope {
 
@@ -30,7 +29,13 @@ ParameterForm* followingForm(SessionModel* model, const ParameterForm::Visit& vi
 QWidget* stackWidgets(const std::vector<QWidget*>& widgets);
 
 /// Creates a button with an object name and a tooltip. The caller takes ownership.
-QPushButton* button(const char* name, const QString& text, const QString& help);
+template <class Button = QPushButton>
+Button* button(const char* name, const QString& text, const QString& help) {
+  auto* made = new Button(text);
+  made->setObjectName(name);
+  made->setToolTip(help);
+  return made;
+}
 
 /// Creates a form for a part of the current state; edits apply to all marked states.
 template <class Part>

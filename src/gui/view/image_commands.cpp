@@ -18,7 +18,7 @@
 #include "gui/widgets/command.h"
 #include "gui/widgets/dialogs.h"
 #include "gui/widgets/guarded.h"
-#include "gui/widgets/polled_bar.h"
+#include "gui/widgets/task_widgets.h"
 #include "io/images/comparison_sheet.h"
 #include "io/images/image_writer.h"
 #include "io/scene/view_source.h"

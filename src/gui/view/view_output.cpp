@@ -2,7 +2,6 @@
 #include "gui/view/view_output.h"
 
 #include <QStandardPaths>
-#include <QStatusBar>
 #include <algorithm>
 #include <cmath>
 
@@ -13,7 +12,6 @@
 #include "gui/widgets/command.h"
 #include "gui/widgets/dialogs.h"
 #include "gui/widgets/guarded.h"
-#include "gui/widgets/polled_bar.h"
 #include "io/files/files_in_use.h"
 #include "io/files/folders.h"
 #include "io/images/image_writer.h"
@@ -49,13 +47,10 @@ void writeView(const RenderJob& job, const QString& file, const Progress& progre
 
 ViewOutput::ViewOutput(QMenu* menu, QWidget* view, QStatusBar* statusBar, SessionModel* model,
                        QObject* parent)
-    : QObject(parent),
+    : FileOutput("outputBar", tr("Writing"), tr("How much has been rendered and written"),
+                 statusBar, parent),
       m_view(view),
       m_model(model),
-      m_task(new Task(this)),
-      m_bar(new ReadingBar(
-          tr("Writing"), [this] { return m_task->share(); }, statusBar,
-          tr("How much has been rendered and written"), tr("Stops, and leaves no file behind"))),
       m_saveView(addCommand(
           menu,
           {"saveViewAction", tr("Save view at any si&ze…"),
@@ -69,17 +64,7 @@ ViewOutput::ViewOutput(QMenu* menu, QWidget* view, QStatusBar* statusBar, Sessio
                                      "where the program ffmpeg is installed"),
                                   Qt::CTRL | Qt::ALT | Qt::Key_A},
                                  this, &ViewOutput::askAnimation)) {
-  m_bar->setObjectName("outputBar");
-  statusBar->addPermanentWidget(m_bar);
-  connect(m_bar, &ReadingBar::stopAsked, m_task, &Task::stop);
-  connect(m_task, &Task::stopped, this, [this] {
-    showState();
-    Q_EMIT done(tr("Stopped; nothing was written"));
-  });
-  connect(m_task, &Task::failed, this, [this](const QString& line) {
-    showState();
-    Q_EMIT failed(line);
-  });
+  connect(m_task, &Task::runningChanged, this, &ViewOutput::showState);
   showState();
 }
 
@@ -89,14 +74,8 @@ void ViewOutput::setSource(const std::optional<ViewSource>& source) {
 }
 
 void ViewOutput::showState() {
-  m_bar->setVisible(m_task->isRunning());
   for (QAction* action : {m_saveView, m_saveAnimation})
     action->setEnabled(m_source && !m_task->isRunning());
-}
-
-void ViewOutput::start(const Task::Job& job) {
-  m_task->start(job);
-  showState();
 }
 
 void ViewOutput::saveView(const QString& file, const QSize& size) {
@@ -105,14 +84,11 @@ void ViewOutput::saveView(const QString& file, const QSize& size) {
       m_source ? std::optional(m_source->job(state)) : std::nullopt;
   if (!job)  // removed while the name was asked for
     return Q_EMIT failed(tr("%1: not written: there is no light field").arg(file));
-  start([this, job, file](const Progress& progress) {
+  m_task->start([this, job, file](const Progress& progress) {
     check(job->state, job->state.camera.name);
     checkOutputs({file.toStdString()});
     writeView(*job, file, progress);
-    return [this, file] {
-      showState();
-      Q_EMIT done(tr("Saved %1").arg(file));
-    };
+    return [this, file] { Q_EMIT done(tr("Saved %1").arg(file)); };
   });
 }
 
@@ -126,11 +102,10 @@ void ViewOutput::saveAnimation(const CameraPath& path, const QString& folder, do
     const auto [width, height] = state.camera.res;
     request.states.push_back(resized(state, {scaled(width), scaled(height)}));
   }
-  start([this, folder, request](const Progress& progress) {
+  m_task->start([this, folder, request](const Progress& progress) {
     for (const CameraState& state : request.states) check(state, state.camera.name);
     writeAnimation(request, progress);
     return [this, folder, count = request.states.size()] {
-      showState();
       Q_EMIT done(tr("Saved %n pictures in %1", "", int(count)).arg(folder));
     };
   });

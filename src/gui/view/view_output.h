@@ -4,11 +4,10 @@
 // mode.
 #pragma once
 
-#include <QObject>
 #include <QSize>
 #include <optional>
 
-#include "gui/widgets/task.h"
+#include "gui/widgets/task_widgets.h"
 #include "io/scene/view_source.h"
 
 class QAction;
@@ -17,13 +16,10 @@ class QStatusBar;
 
 namespace hogelscope {
 
-class ReadingBar;
 class SessionModel;
 struct CameraPath;
 
-/// Runs one job at a time on its own thread, with a progress bar and a stop button in the status
-/// bar.
-class ViewOutput : public QObject {
+class ViewOutput : public FileOutput {
   Q_OBJECT
 
  public:
@@ -42,22 +38,15 @@ class ViewOutput : public QObject {
   void saveAnimation(const CameraPath& path, const QString& folder, double scale,
                      const QString& ffmpeg, int framesPerSecond);
 
- Q_SIGNALS:
-  void done(const QString& line);
-  void failed(const QString& line);
-
  private:
   void askView();
   void askAnimation();
-  void start(const Task::Job& job);
   void showState();
   [[nodiscard]] QSize currentSize() const;
 
   QWidget* m_view;
   SessionModel* m_model;
   std::optional<ViewSource> m_source;
-  Task* m_task;
-  ReadingBar* m_bar;
   QAction* m_saveView;
   QAction* m_saveAnimation;
 };

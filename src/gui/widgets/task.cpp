@@ -8,17 +8,22 @@
 namespace hogelscope {
 
 void Task::start(Job job) {
-  abandon();
+  join();
   m_stops = false;
   m_share = 0;
   m_isRunning = true;
   m_thread = std::thread([this, job = std::move(job)] { run(job); });
+  Q_EMIT runningChanged(true);
 }
 
 void Task::abandon() {
+  join();
+  if (std::exchange(m_isRunning, false)) Q_EMIT runningChanged(false);
+}
+
+void Task::join() {
   stop();
   if (m_thread.joinable()) m_thread.join();
-  m_isRunning = false;
   ++m_number;
 }
 
@@ -32,6 +37,7 @@ void Task::run(const Job& job) {
     queue([this, answer] {
       m_isRunning = false;
       answer();
+      if (!m_isRunning) Q_EMIT runningChanged(false);  // the answer may start another job
     });
   };
   try {

@@ -53,7 +53,7 @@ class Task : public QObject {
 
   using QObject::QObject;
   /// Abandons a running job.
-  ~Task() override { abandon(); }
+  ~Task() override { join(); }
 
   /// Starts a job and abandons an older one.
   void start(Job job);
@@ -69,10 +69,13 @@ class Task : public QObject {
   [[nodiscard]] double share() const { return m_share; }
 
  Q_SIGNALS:
+  /// isRunning() has changed. Follows the last answer, or stopped() or failed().
+  void runningChanged(bool isRunning);
   void stopped();
   void failed(const QString& line);
 
  private:
+  void join();
   void run(const Job& job);
 
   int m_number = 0;  ///< the number of the latest job; changes only while no thread runs
