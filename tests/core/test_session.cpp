@@ -45,6 +45,7 @@ class TestSession : public QObject {
   void goodNames();
   void namesDifferInMoreThanCase_data();
   void namesDifferInMoreThanCase();
+  void aTwinMayNeedLinearLight();
   void warnsOfCutWindows();
   void resolvedTakesWhatIsLeftOut();
   void resolvedRefusesWhatDiffers();
@@ -215,6 +216,22 @@ void TestSession::namesDifferInMoreThanCase() {
   const QString line = "cameras[2].name: \"" + other + "\" is also cameras[0], \"" + one +
                        "\"; every state has a name of its own, whatever its case";
   QCOMPARE(errorOf([&] { check(session); }), isSame ? line : QString());
+}
+
+void TestSession::aTwinMayNeedLinearLight() {
+  Session named = goodSession();
+  named.twinFile = "unit.json";
+  TwinParams turned;
+  turned.lensArray.rotation = 1;
+  const Session session = withTwin(named, turned);
+  QCOMPARE(session.twin, turned);
+  QVERIFY(session.twinFile.empty());
+  QCOMPARE(session.cameras, named.cameras);
+  TwinParams uneven;
+  uneven.random.gain.sigma = 0.1;
+  named.twin = uneven;
+  QVERIFY(errorOf([&] { check(named); }).contains("\"linear\""));
+  QCOMPARE(errorOf([&] { check(withTwin(named, uneven)); }), QString());
 }
 
 void TestSession::warnsOfCutWindows() {

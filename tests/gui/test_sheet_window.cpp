@@ -292,8 +292,7 @@ void TestSheetWindow::sectionsOfferWhatASheetHas() {
   QVERIFY(text("energyLabel").contains("no directions to leak into"));
   TwinParams twin;
   twin.lensArray.focalError = 0.01;
-  model().setTwin(twin);
-  Session content = model().session();
+  Session content = withTwin(model().session(), twin);
   content.sampling.reconstruction = Reconstruction::bilinear;
   model().setContent(content);
   QVERIFY(offers("twinArea", "focalError") && offers("samplingArea", "reconstruction"));

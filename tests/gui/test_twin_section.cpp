@@ -95,10 +95,10 @@ void TestTwinSection::sceneShowsErrors() {
   QCOMPARE(twin.colours(), 0);
   TwinParams uneven;
   uneven.random.gain.sigma = 0.1;
-  m_model->setTwin(uneven);
+  m_model->setContent(withTwin(m_model->session(), uneven));
   QTRY_COMPARE_WITH_TIMEOUT(twin.colours(), 256, patience);
   QCOMPARE(twin.arrows(), 0);
-  m_model->setTwin({});
+  m_model->setContent(withTwin(m_model->session(), {}));
   QTRY_COMPARE_WITH_TIMEOUT(twin.colours(), 0, patience);
 }
 

@@ -92,6 +92,14 @@ void checkSheetContent(const LightFieldParams& content, const DisplayParams& dis
 
 }  // namespace
 
+Session withTwin(Session session, const TwinParams& twin) {
+  session.twin = twin;
+  session.twinFile.clear();
+  if (twin.changesLight())
+    for (CameraState& state : session.cameras) state.psf.light = LightModel::linear;
+  return session;
+}
+
 void check(const CameraState& state, const std::string& path) {
   checkStateName(state.camera.name, path);
   try {

@@ -52,6 +52,10 @@ struct Session {
   bool operator==(const Session&) const = default;
 };
 
+/// Returns the session with another unit, which no document names. Where that scales or adds light,
+/// the light of all states becomes linear.
+Session withTwin(Session session, const TwinParams& twin);
+
 /// Checks the rules that join several fields. Throws InputError with the JSON path of the field.
 void check(const Session& session);
 

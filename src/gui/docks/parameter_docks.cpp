@@ -97,7 +97,7 @@ ParameterForm* TwinDock::form(Part& (*part)(TwinParams&)) {
       [model = m_model, part](ParameterVisitor& visitor) {
         TwinParams twin = model->session().twin;
         describe(visitor, part(twin));
-        if (twin != model->session().twin) model->setTwin(twin);
+        if (twin != model->session().twin) model->setContent(withTwin(model->session(), twin));
       },
       [](ParameterVisitor& visitor) {
         Part defaults;

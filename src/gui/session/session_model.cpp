@@ -167,22 +167,7 @@ void SessionModel::editMarked(const std::function<void(CameraState&)>& action) {
 
 void SessionModel::setContent(const Session& content) {
   const std::string field = changedField(m_session, content);
-  edit(tr("Change %1").arg(QString::fromStdString(field)), [&](Session& session) {
-    session.display = content.display;
-    session.lightField = content.lightField;
-    session.sampling = content.sampling;
-  });
-}
-
-void SessionModel::setTwin(const TwinParams& twin) {
-  Session changed = m_session;
-  changed.twin = twin;
-  changed.twinFile.clear();  // whose document says something else
-  if (twin.changesLight())
-    for (CameraState& state : changed.cameras) state.psf.light = LightModel::linear;
-  const std::string field = changedField(m_session, changed);
-  edit(tr("Change %1").arg(QString::fromStdString(field)),
-       [&](Session& session) { session = changed; });
+  push(tr("Change %1").arg(QString::fromStdString(field)), {content, m_current});
 }
 
 void SessionModel::changeStates(const QString& name,

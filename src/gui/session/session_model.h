@@ -57,10 +57,8 @@ class SessionModel : public QObject {
   /// Applies `action` to the current state, and its changes to all marked states if the current one
   /// is among them; names stay different.
   void editMarked(const std::function<void(CameraState&)>& action);
-  /// Sets display, light field and sampling as an edit.
+  /// Sets the session, field by field; the edit is named after the first changed field.
   void setContent(const Session& content);
-  /// Sets the twin as an edit. One that scales or adds light makes the light of all states linear.
-  void setTwin(const TwinParams& twin);
   /// Changes the list of states (core/cameras/state_list_edits.h); `action` returns the index of
   /// the new current state.
   void changeStates(const QString& name, const std::function<std::size_t(Session&)>& action);
