@@ -170,15 +170,10 @@ class StateDelegate : public QStyledItemDelegate {
                 isSelected ? t.text2 : t.text3);
       texts.adjust(0, 0, -scaled(60), 0);
     }
-    const auto write = [&](Qt::Alignment where, const QString& text, const QColor& ink,
-                           QFont font) {
-      painter->setPen(ink);
-      painter->setFont(font);
-      painter->drawText(texts, int(where),
-                        painter->fontMetrics().elidedText(text, Qt::ElideRight, texts.width()));
-    };
-    write(Qt::AlignTop, index.data().toString(), t.text, textFont(TextSize::base, QFont::Medium));
-    write(Qt::AlignBottom, index.data(detailRole).toString(), t.text2, textFont(TextSize::caption));
+    writeLine(*painter, texts, Qt::AlignTop, index.data().toString(),
+              textFont(TextSize::base, QFont::Medium), t.text);
+    writeLine(*painter, texts, Qt::AlignBottom, index.data(detailRole).toString(),
+              textFont(TextSize::caption), t.text2);
     painter->restore();
   }
 
