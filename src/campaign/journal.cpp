@@ -134,8 +134,12 @@ std::string endingOf(const std::optional<Shard>& shard) {
   return shard ? "." + std::to_string(shard->number) + "-" + std::to_string(shard->count) : "";
 }
 
+fs::path journalIn(const fs::path& folder, const std::optional<Shard>& shard) {
+  return folder / (std::string(fileName) + endingOf(shard));
+}
+
 Journal::Journal(const fs::path& folder, const JournalHead& head, const std::optional<Shard>& shard)
-    : m_file(folder / (std::string(fileName) + endingOf(shard))) {
+    : m_file(journalIn(folder, shard)) {
   requireOwnFile(m_file, headOfAny);
   auto descriptor = openLocked(m_file, O_APPEND);
   if (!descriptor)

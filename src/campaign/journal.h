@@ -33,6 +33,9 @@ using JournalEntries = std::map<std::size_t, JournalEntry>;  ///< by row index
 
 /// Returns the ending of file names: "" for a whole run, ".K-N" for a shard.
 std::string endingOf(const std::optional<Shard>& shard);
+/// Returns the file of the journal of a run into `folder`.
+std::filesystem::path journalIn(const std::filesystem::path& folder,
+                                const std::optional<Shard>& shard = {});
 
 class Journal {
  public:

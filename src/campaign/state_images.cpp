@@ -135,14 +135,16 @@ std::vector<StateImage> renderStreamed(LightFieldFile& file, const std::vector<R
   return pictures;
 }
 
-StateImages::StateImages(const Session& session, LightFieldFile& file,
+StateImages::StateImages(ViewSource unloaded, LightFieldFile& file,
                          const std::vector<CameraState>& states, const Options& options,
                          const Progress& progress)
-    : m_states(states) {
+    : m_source(std::move(unloaded)), m_states(states) {
   const auto& [use, shard, bits, keepsUnrounded, rows] = options;
   const bool isStreamed = mustStream(file, use.memory);
-  m_source =
-      isStreamed ? unloadedViewSource(session, file) : loadViewSource(session, file, progress, use);
+  if (isStreamed)
+    m_source.sampling.tolerance = 0;  // no view can be probed before the texels have been read
+  else
+    m_source.lightField = file.source(use, progress);
   m_source.bits = bits;
   m_source.keepsUnrounded = keepsUnrounded;
   if (!isStreamed) return;

@@ -43,8 +43,8 @@ class StateImages {
   /// Takes a scene whose light field is open.
   StateImages(ViewSource source, const std::vector<CameraState>& states)
       : m_source(std::move(source)), m_states(states) {}
-  /// Reads `file`, the light field of `session`. Throws InputError, Cancelled.
-  StateImages(const Session& session, LightFieldFile& file, const std::vector<CameraState>& states,
+  /// Reads `file`, the light field that `unloaded` is without. Throws InputError, Cancelled.
+  StateImages(ViewSource unloaded, LightFieldFile& file, const std::vector<CameraState>& states,
               const Options& options, const Progress& progress);
 
   /// Returns the image of a state. Throws InputError if it cannot be rendered, and Cancelled.

@@ -18,7 +18,6 @@
 #include "io/files/files_in_use.h"
 #include "io/files/folders.h"
 #include "io/opening/opening.h"
-#include "io/scene/view_source.h"
 
 namespace hogelscope {
 
@@ -188,11 +187,13 @@ void warnOfPupils(const PanelParams& display, const Session& session, const Comm
   }
 }
 
-void warnOfTwin(const PanelParams& display, const Session& session, const CommandLine& line) {
-  if (line.has("quiet") || session.twin.maps == TwinMapFiles{}) return;
-  std::vector<std::string> warnings;
-  (void)twinOf(session.twin, display, &warnings);
-  for (const std::string& warning : warnings) printNote("warning: " + warning);
+ViewSource unloadedOf(const Session& session, const LightFieldFile& lightField,
+                      const CommandLine& line) {
+  ProgressBar stop("", true);
+  ViewSource source = unloadedViewSource(session, lightField, stop.progress());
+  for (const std::string& warning : source.warnings)
+    if (!line.has("quiet")) printNote("warning: " + warning);
+  return source;
 }
 
 OrderedSession sessionAroundSubject(const CommandLine& line) {

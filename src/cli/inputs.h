@@ -14,6 +14,7 @@
 #include "io/files/files_in_use.h"
 #include "io/layouts/light_field_file.h"
 #include "io/opening/session_around.h"
+#include "io/scene/view_source.h"
 
 namespace hogelscope {
 
@@ -58,9 +59,10 @@ void warnOfCuts(const LightFieldFile& lightField, const Session& session, const 
 /// may be. `display` has its hogels and directions.
 void warnOfPupils(const PanelParams& display, const Session& session, const CommandLine& line);
 
-/// Prints, unless the job is quiet, what is assumed of the maps of the session's twin. `display`
-/// has its hogels and directions. Throws InputError.
-void warnOfTwin(const PanelParams& display, const Session& session, const CommandLine& line);
+/// Returns the source of a session's views without texels, after its twin's maps have been read.
+/// Prints, unless the job is quiet, what is assumed of them. Throws InputError, Cancelled.
+ViewSource unloadedOf(const Session& session, const LightFieldFile& lightField,
+                      const CommandLine& line);
 
 /// Returns a new session for the light field that the job's own option names, read as --set
 /// specifies. Throws InputError, also for a --set of parameters that it does not have: camera

@@ -9,6 +9,7 @@
 #include <optional>
 #include <string_view>
 
+#include "campaign/journal.h"
 #include "core/base/error.h"
 #include "core/base/text.h"
 #include "io/files/atomic_file.h"
@@ -227,7 +228,7 @@ void FunctionMetrics::keep(const fs::path& folder) const {
 
 bool FunctionMetrics::recall(const fs::path& folder) {
   requireOwnFile(fileOf(folder), fileHead);
-  if (!fs::exists(fileOf(folder)) || !fs::is_regular_file(folder / "report.journal")) return false;
+  if (!fs::exists(fileOf(folder)) || !fs::is_regular_file(journalIn(folder))) return false;
   const std::string text = readTextFile(fileOf(folder));
   const Table lines = csvRows(text.substr(std::min(text.size(), fileHead.size())));
   if (lines.size() != m_all.size()) return false;

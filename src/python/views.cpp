@@ -125,7 +125,8 @@ RenderedViews SessionViews::render(const RenderRequest& request, const Progress&
   const Progress reading = part(progress, 0.1, 0.5);
   StateImages images =
       mustStream(file, allowedMemory())
-          ? StateImages(session, file, session.cameras, {}, reading)
+          ? StateImages(unloadedViewSource(session, file, reading), file, session.cameras, {},
+                        reading)
           : StateImages(viewSourceOf(session, content->source(reading)), session.cameras);
   if (request.isIdeal) images.showIdeal();
   const auto count = double(session.cameras.size());

@@ -25,6 +25,7 @@ struct ReportTest {
   Session session;
   std::shared_ptr<LightFieldFile> file;
   std::string order{};  ///< a sentence on the order of its views, by orderTests(); "": as it is
+  std::optional<ViewSource> unloaded{};  ///< if the twin's maps have been read
 };
 
 struct ReportRequest {

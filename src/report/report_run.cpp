@@ -371,7 +371,10 @@ void checkNames(const ReportRequest& request) {
 /// Removes tolerances, so that differences come from the light fields, not from methods.
 ReportRequest withoutTolerance(ReportRequest request) {
   request.session.sampling.tolerance = 0;
-  for (ReportTest& test : request.tests) test.session.sampling.tolerance = 0;
+  for (ReportTest& test : request.tests) {
+    test.session.sampling.tolerance = 0;
+    if (test.unloaded) test.unloaded->sampling.tolerance = 0;
+  }
   if (request.reference) request.reference->sampling.tolerance = 0;
   return request;
 }

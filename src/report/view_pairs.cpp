@@ -13,23 +13,22 @@ namespace hogelscope {
 
 ViewPairs::ViewPairs(const ReportRequest& request, std::size_t workers,
                      const ParallelRows& rowsWithin)
-    : m_session(request.session),
-      m_file(*request.file),
+    : m_own{"", request.session, request.file},
       m_isAgainstIdeal(request.isAgainstIdeal),
       m_keepsUnrounded(request.metrics.readUnrounded()),
       m_shard(request.shard.value_or(Shard{})),
       m_memory(request.memory / 2),
-      m_references(request.tests.size() > 1 ? m_session.cameras.size() : 0),
+      m_references(request.tests.size() > 1 ? m_own.session.cameras.size() : 0),
       m_renderers(workers, Renderer(rowsWithin)) {}
 
-StateImages ViewPairs::imagesOf(const Session& session, LightFieldFile& file,
-                                const Progress& progress) const {
-  return {session,
-          file,
-          m_session.cameras,
+StateImages ViewPairs::imagesOf(const ReportTest& one, const Progress& progress) const {
+  const auto& [name, session, file, order, unloaded] = one;
+  return {unloaded ? *unloaded : unloadedViewSource(session, *file, progress),
+          *file,
+          m_own.session.cameras,
           {.use = {m_memory, 0, m_renderers.size() > 1 ? 1 : threadCount()},
            .shard = m_shard,
-           .bits = file.bits(),
+           .bits = file->bits(),
            .keepsUnrounded = m_keepsUnrounded,
            .rows = serialRows},
           progress};
@@ -66,11 +65,10 @@ class JointProgress {
 void ViewPairs::readSideBySide(const ReportTest& test, const Progress& progress) {
   JointProgress halves(progress);
   auto reading = std::async([&] {  // runs sequentially if no thread can be started
-    return halves.run(0, [&](const Progress& half) { return imagesOf(m_session, m_file, half); });
+    return halves.run(0, [&](const Progress& half) { return imagesOf(m_own, half); });
   });
   try {
-    m_test = halves.run(
-        1, [&](const Progress& half) { return imagesOf(test.session, *test.file, half); });
+    m_test = halves.run(1, [&](const Progress& half) { return imagesOf(test, half); });
   } catch (const Cancelled&) {
     reading.get();  // may throw the error that caused the cancellation
     throw;
@@ -80,15 +78,16 @@ void ViewPairs::readSideBySide(const ReportTest& test, const Progress& progress)
 
 void ViewPairs::read(const ReportTest& test, const Progress& progress) {
   m_test.reset();
-  const bool areTwo = &m_file != test.file.get();  // a file has one decoder
-  if (!m_reference && areTwo && mustStream(m_file, m_memory) && mustStream(*test.file, m_memory))
+  const bool areTwo = m_own.file != test.file;  // a file has one decoder
+  if (!m_reference && areTwo && mustStream(*m_own.file, m_memory) &&
+      mustStream(*test.file, m_memory))
     return readSideBySide(test, progress);
   const bool isFirst = !m_reference;
   if (isFirst) {
-    m_reference = imagesOf(m_session, m_file, part(progress, 0, 0.5));
+    m_reference = imagesOf(m_own, part(progress, 0, 0.5));
     if (m_isAgainstIdeal) m_reference->showIdeal();
   }
-  m_test = imagesOf(test.session, *test.file, part(progress, isFirst ? 0.5 : 0, 1));
+  m_test = imagesOf(test, part(progress, isFirst ? 0.5 : 0, 1));
 }
 
 std::vector<double> ViewPairs::viewErrors(const Progress& progress) const {
@@ -106,7 +105,7 @@ RayMoves ViewPairs::moves(std::size_t state, std::size_t worker, const Progress&
 }
 
 Viewing ViewPairs::viewing(std::size_t state) const {
-  return viewingOf(m_session.cameras[state], reference().display, reference().sampling.mapping);
+  return viewingOf(m_own.session.cameras[state], reference().display, reference().sampling.mapping);
 }
 
 ViewPair ViewPairs::render(std::size_t state, std::size_t worker, const Progress& progress) {

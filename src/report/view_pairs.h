@@ -32,9 +32,9 @@ class ViewPairs {
   void setReference(const ViewSource& source) {
     ViewSource deep = source;
     deep.isIdeal = m_isAgainstIdeal;
-    deep.bits = m_file.bits();
+    deep.bits = m_own.file->bits();
     deep.keepsUnrounded = m_keepsUnrounded;
-    m_reference.emplace(deep, m_session.cameras);
+    m_reference.emplace(deep, m_own.session.cameras);
   }
   /// Reads a test's light field, and the first time the session's, in parallel if both are
   /// streamed. The previous test's memory is released first.
@@ -57,11 +57,9 @@ class ViewPairs {
 
  private:
   void readSideBySide(const ReportTest& test, const Progress& progress);
-  [[nodiscard]] StateImages imagesOf(const Session& session, LightFieldFile& file,
-                                     const Progress& progress) const;
+  [[nodiscard]] StateImages imagesOf(const ReportTest& one, const Progress& progress) const;
 
-  Session m_session;
-  LightFieldFile& m_file;  ///< the session's light field
+  ReportTest m_own;  ///< the session with its light field
   bool m_isAgainstIdeal;
   bool m_keepsUnrounded;
   Shard m_shard;         ///< the states that are rendered

@@ -183,7 +183,7 @@ struct Pictures {
 
 /// Writes all pictures; for PNG without a video, continues after one that cannot be rendered.
 /// Returns lines about them.
-std::string renderAll(LightFieldFile& file, const Session& session,
+std::string renderAll(ViewSource source, LightFieldFile& file, const Session& session,
                       const std::vector<Picture>& pictures, RenderOutput& output,
                       const Progress& progress) {
   const bool isStreamed = mustStream(file, allowedMemory());
@@ -192,7 +192,7 @@ std::string renderAll(LightFieldFile& file, const Session& session,
                      "needs the light field in memory or in a store: give it more --memory, or "
                      "--pack it first");
   const double reading = isStreamed ? 1 : 0.5;
-  StateImages images(session, file, session.cameras, {.use = {.threads = threadCount()}},
+  StateImages images(std::move(source), file, session.cameras, {.use = {.threads = threadCount()}},
                      part(progress, 0, reading));
   if (output.isIdeal) images.showIdeal();
   if (output.isExplained)
@@ -317,7 +317,7 @@ int runRender(const CommandLine& line) {
   checkResults(line, session, files);
   warnOfCuts(*file, session, line);
   warnOfPupils(display, session, line);
-  warnOfTwin(display, session, line);
+  ViewSource source = unloadedOf(session, *file, line);
   if (line.has("video")) {
     makeFolderOf(line.text("video"));
     output.video.emplace(line.text("video"), sizeOf(pictures.all.front(), output),
@@ -327,8 +327,8 @@ int runRender(const CommandLine& line) {
   const bool isQuiet = line.has("quiet");
   announceStreaming(*file, allowedMemory(), isQuiet);
   ProgressBar bar("rendering", isQuiet);
-  const std::string lines =
-      renderAll(*file, pictures.sessionOf(session), pictures.all, output, bar.progress());
+  const std::string lines = renderAll(std::move(source), *file, pictures.sessionOf(session),
+                                      pictures.all, output, bar.progress());
   for (const auto& [name, text] : pictures.tables) writeTextFile(output.folder / name, text);
   keepSession(line, session);
   bar.done();

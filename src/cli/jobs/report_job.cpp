@@ -223,9 +223,13 @@ int runReport(const CommandLine& line) {
   if (!request.shard) warnOfCuts(*request.file, request.session, line);
   if (!request.shard)
     warnOfPupils(resolved(displayOf(session), request.file->size()), session, line);
-  if (!request.shard)
-    for (const ReportTest& test : request.tests)
-      warnOfTwin(resolved(displayOf(test.session), test.file->size()), test.session, line);
+  if (!request.shard && !isQuiet)
+    for (ReportTest& test : request.tests) {
+      if (test.session.twin.maps == TwinMapFiles{}) continue;
+      ViewSource unloaded = unloadedOf(test.session, *test.file, line);
+      // Later ones are read again, so that the maps of one test are in memory at a time.
+      if (&test == &request.tests.front()) test.unloaded = std::move(unloaded);
+    }
   if (!request.shard && !isQuiet)
     for (const std::string& warning : warningsOf(request)) printNote(warning);
   announceStreaming(*request.file, request.memory / 2, isQuiet);

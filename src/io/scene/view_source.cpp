@@ -186,14 +186,14 @@ ViewSource viewSourceOf(const Session& session, std::shared_ptr<const LightField
   source.lightField = std::move(lightField);
   source.display = resolved(displayOf(session), source.lightField->size());
   source.sampling = session.sampling;
-  source.twin = twinOf(session.twin, source.display, nullptr, progress);
+  source.twin = twinOf(session.twin, source.display, &source.warnings, progress);
   return source;
 }
 
-ViewSource unloadedViewSource(const Session& session, const LightFieldFile& file) {
-  ViewSource source =
-      viewSourceOf(session, std::make_shared<const StreamedLightField>(file.size(), file.type()));
-  source.sampling.tolerance = 0;
+ViewSource unloadedViewSource(const Session& session, const LightFieldFile& file,
+                              const Progress& progress) {
+  ViewSource source = viewSourceOf(
+      session, std::make_shared<const StreamedLightField>(file.size(), file.type()), progress);
   source.files = std::make_shared<const FilesInUse>(filesOf(session, file));
   return source;
 }
@@ -210,10 +210,8 @@ ViewSource loadViewSource(const Session& session, const Progress& progress, cons
 ViewSource loadViewSource(const Session& session, LightFieldFile& file, const Progress& progress,
                           const SourceUse& use) {
   // The twin's maps, and what is wrong with them, come before the light field is read.
-  ViewSource source = viewSourceOf(
-      session, std::make_shared<const StreamedLightField>(file.size(), file.type()), progress);
+  ViewSource source = unloadedViewSource(session, file, progress);
   source.lightField = file.source(use, progress);
-  source.files = std::make_shared<const FilesInUse>(filesOf(session, file));
   return source;
 }
 

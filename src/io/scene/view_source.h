@@ -4,6 +4,7 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "core/optics/simulate.h"
 #include "io/files/files_in_use.h"
@@ -42,6 +43,7 @@ int viewsOnSheet(const Session& session);
 struct ViewSource : RenderJob {
   /// The session's files: nothing replaces them while views are made of them.
   std::shared_ptr<const FilesInUse> files;
+  std::vector<std::string> warnings;  ///< what is assumed of the maps of the session's twin
 
   [[nodiscard]] RenderJob job(const CameraState& ofView) const {
     RenderJob job = *this;
@@ -71,9 +73,10 @@ ViewSource loadViewSource(const Session& session, LightFieldFile& file, const Pr
                           const SourceUse& use = {});
 /// Throws InputError unless the session's light field is live, so that it has ideal views.
 void requireLive(const Session& session);
-/// Returns a source for StreamingRenderer: the light field has no texels. The tolerance is 0,
-/// because no view can be probed before the texels have been read.
-ViewSource unloadedViewSource(const Session& session, const LightFieldFile& file);
+/// Returns the source of a session's views of an open light field, which has no texels yet: for
+/// StateImages and StreamingRenderer. Throws as viewSourceOf().
+ViewSource unloadedViewSource(const Session& session, const LightFieldFile& file,
+                              const Progress& progress = {});
 
 /// Whether both sessions read the same light field. Their displays need only have the same hogels
 /// and directions, and the same rays if it is live.
