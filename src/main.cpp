@@ -36,7 +36,7 @@ int runJob(const hogelscope::CommandLine& line) {
 
 int main(int argc, char** argv) {
   return hogelscope::runProgram(argc, argv, [argv](const hogelscope::CommandLine& line) {
-    if (line.command == hogelscope::Command::window) becomeWindow(argv);
+    if (line.job == nullptr) becomeWindow(argv);
     return runJob(line);
   });
 }

@@ -36,8 +36,8 @@ int runWindow(int argc, char** argv, const std::vector<std::string>& files) {
 
 int main(int argc, char** argv) {
   return hogelscope::runProgram(argc, argv, [argc, argv](const hogelscope::CommandLine& line) {
-    if (line.command != hogelscope::Command::window)
-      throw hogelscope::InputError("--" + std::string(hogelscope::jobOf(line.command).name), "",
+    if (line.job != nullptr)
+      throw hogelscope::InputError("--" + std::string(line.job->name), "",
                                    "is a job of hogelscope, not of its window");
     hogelscope::usePluginFolders(line);
     return runWindow(argc, argv, line.files);

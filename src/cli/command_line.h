@@ -10,31 +10,12 @@
 
 namespace hogelscope {
 
-enum class Command {
-  window,
-  render,
-  report,
-  makeCameras,
-  makeTwin,
-  generate,
-  pack,
-  exportAs,
-  tradeoff,
-  stability,
-  depth,
-  measure,
-  sweep,
-  info,
-  plugins,
-  status,
-  help,
-  version
-};
+struct Job;
 
-/// A job and its options, with checked values. Reading an option that the job does not have in the
-/// table of flags throws std::logic_error.
+/// A job and its options, with checked values. Reading an option that the job does not have throws
+/// std::logic_error.
 struct CommandLine {
-  Command command = Command::window;
+  const Job* job = nullptr;  ///< null: the window
   /// The value of the job's own option: a camera set, a pattern, a light field or a file; the topic
   /// for --help.
   std::string subject;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cli/help.h"
 
+#include <ranges>
+
 #include "cli/flags.h"
 #include "cli/jobs.h"
 #include "core/content/pattern_list.h"
@@ -56,17 +58,17 @@ std::string valueCases() {
   return text + valueCase("help", "TOPIC");
 }
 
-std::string flagsOf(Command command) {
+std::string flagsOf(const Job* job) {
   std::string text;
   for (const Flag& flag : allFlags())
-    if (isOneOf(flag.jobs, command)) text += "--" + std::string(flag.name) + " ";
+    if (accepts(job, flag)) text += "--" + std::string(flag.name) + " ";
   return text;
 }
 
 std::string jobCases() {
   std::string text;
   for (const Job& job : jobs())
-    text += "      --" + std::string(job.name) + ") options='" + flagsOf(job.command) + "' ;;\n";
+    text += "      --" + std::string(job.name) + ") options='" + flagsOf(&job) + "' ;;\n";
   return text;
 }
 
@@ -103,7 +105,7 @@ std::string bashCompletion() {
          "  esac\n"
          "  if [[ $paths == options ]]; then\n"
          "    options='" +
-         jobOptions() + flagsOf(Command::window) +
+         jobOptions() + flagsOf(nullptr) +
          "'\n"
          "    for word in \"${COMP_WORDS[@]:1:COMP_CWORD-1}\"; do\n"
          "      case $word in\n" +

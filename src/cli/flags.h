@@ -1,16 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The options of the command line, except those that choose the job. Parsing, checks and --help use
-// this single table.
+// The options of the command line, except those that choose the job: those that jobs share, and
+// each job's own. Parsing, checks and --help use this single table.
 #pragma once
 
 #include <limits>
 #include <optional>
-#include <ranges>
 #include <string>
 #include <string_view>
 #include <vector>
-
-#include "cli/command_line.h"
 
 namespace hogelscope {
 
@@ -22,12 +19,16 @@ struct NumberRange {
 
 struct Flag {
   std::string_view name;
-  std::string_view value = {};                 ///< "" if the option has no value
-  std::vector<Command> jobs;                   ///< those that accept it; all others reject it
-  std::vector<Command> neededBy = {};          ///< those that require it
+  std::string_view value = {};    ///< "" if the option has no value
+  std::string_view heading = {};  ///< of --help, if it begins with this option
+  /// Of a job's own option: the one that it follows in --help; if it is not given, the one before
+  /// it in the job's list.
+  std::string_view after = {};
   std::string_view unless = {};                ///< an option that replaces a missing one
   bool isInput = false;                        ///< its value is a file that the job reads
   bool mayRepeat = false;                      ///< with different values
+  bool isForWindow = false;                    ///< the window takes it too
+  std::string_view lastJob = {};               ///< stands last where its jobs are listed
   std::optional<NumberRange> range = {};       ///< of the value, if it must be a number
   std::vector<std::string_view> choices = {};  ///< the allowed values; any if empty
   /// The parameter that the flag sets, like --set, in the job that owns the parameter.
@@ -35,17 +36,8 @@ struct Flag {
   std::string_view help;
 };
 
-/// Flags under a heading of --help.
-struct FlagGroup {
-  std::string_view heading;
-  std::vector<Flag> flags;
-};
-
-const std::vector<FlagGroup>& flagGroups();
-
-inline auto allFlags() {
-  return flagGroups() | std::views::transform(&FlagGroup::flags) | std::views::join;
-}
+/// Returns all options in the order of --help.
+const std::vector<Flag>& allFlags();
 
 /// Checks a value of the flag. Throws InputError.
 void checkValue(const Flag& flag, const std::string& value);

@@ -8,7 +8,6 @@
 
 #include "cli/flags.h"
 #include "cli/jobs.h"
-#include "cli/jobs/all_jobs.h"
 #include "core/base/error.h"
 #include "core/base/parameters.h"
 #include "core/base/version.h"
@@ -57,15 +56,15 @@ std::string entry(std::string_view name, std::string_view value, std::string_vie
 /// Returns an option's help with its jobs in front, or with the jobs that lack it behind.
 std::string helpWithJobs(const Flag& flag) {
   constexpr std::size_t few = 4;
-  std::vector<Command> others;
+  const std::vector<const Job*> owners = jobsOf(flag);
+  std::vector<const Job*> others;
   for (const Job& job : jobs())
-    if (job.command < Command::help && !isOneOf(flag.jobs, job.command))
-      others.push_back(job.command);
+    if (job.name != "help" && job.name != "version" && !accepts(&job, flag)) others.push_back(&job);
   std::string help(flag.help);
-  if (flag.jobs.size() <= few) {
+  if (owners.size() <= few) {
     const bool isAcronym = std::isupper(static_cast<unsigned char>(help[1])) != 0;
     if (!isAcronym) help[0] = char(std::tolower(static_cast<unsigned char>(help[0])));
-    return optionsOf(flag.jobs) + ": " + help;
+    return optionsOf(owners) + ": " + help;
   }
   return others.empty() ? help : help + " Not for " + optionsOf(others) + ".";
 }
@@ -89,9 +88,9 @@ std::string overview() {
       "Jobs, of which a command line has one (LF: a light field, which is an image of hogels, a\n"
       "quilt, a mosaic, a folder of views, or a store):\n";
   for (const Job& job : jobs()) text += entry(job.name, job.value, job.help);
-  for (const FlagGroup& group : flagGroups()) {
-    text += "\n" + std::string(group.heading) + ":\n";
-    for (const Flag& flag : group.flags) text += entry(flag.name, flag.value, helpWithJobs(flag));
+  for (const Flag& flag : allFlags()) {
+    if (!flag.heading.empty()) text += "\n" + std::string(flag.heading) + ":\n";
+    text += entry(flag.name, flag.value, helpWithJobs(flag));
   }
   return text +
          "\n"
@@ -101,10 +100,10 @@ std::string overview() {
 }
 
 /// Returns the entries of the options that a job requires, or of its optional ones.
-std::string entriesFor(Command job, bool areNeeded) {
+std::string entriesFor(const Job& job, bool areNeeded) {
   std::string text;
   for (const Flag& flag : allFlags())
-    if (isOneOf(flag.jobs, job) && isOneOf(flag.neededBy, job) == areNeeded)
+    if (accepts(&job, flag) && needs(&job, flag) == areNeeded)
       text += entry(flag.name, flag.value, flag.help);
   return text;
 }
@@ -113,13 +112,12 @@ std::string explained(const Job& job) {
   std::string text = "hogelscope --" + std::string(job.name);
   if (!job.value.empty()) text += " " + std::string(job.value);
   for (const Flag& flag : allFlags())
-    if (isOneOf(flag.neededBy, job.command))
-      text += " --" + std::string(flag.name) + " " + std::string(flag.value);
+    if (needs(&job, flag)) text += " --" + std::string(flag.name) + " " + std::string(flag.value);
   text += "\n\n" + wrapped(job.help, 0);
   if (!job.details.empty()) text += "\n" + wrapped(job.details, 0);
-  const std::string needed = entriesFor(job.command, true);
+  const std::string needed = entriesFor(job, true);
   if (!needed.empty()) text += "\nIt needs:\n" + needed;
-  const std::string others = entriesFor(job.command, false);
+  const std::string others = entriesFor(job, false);
   if (!others.empty()) text += "\nIt also takes:\n" + others;
   if (!job.sections.empty()) {
     text += "\nWith --set it also knows the parameters of";
@@ -166,14 +164,22 @@ std::string helpText(const std::string& topic) {
                                          std::string(nearest) + "?");
 }
 
-int runHelp(const CommandLine& line) {
-  std::cout << helpText(line.subject);
-  return 0;
+Job helpJob() {
+  return {.name = "help",
+          .help =
+              "This text; with a job, or \"parameters\", more of it; with \"man\" or "
+              "\"completion\" what man and bash read.",
+          .run = [](const CommandLine& line) {
+            std::cout << helpText(line.subject);
+            return 0;
+          }};
 }
 
-int runVersion(const CommandLine& /*line*/) {
-  std::cout << "hogelscope " << programVersion() << "\n";
-  return 0;
+Job versionJob() {
+  return {.name = "version", .help = "The version.", .run = [](const CommandLine& /*line*/) {
+            std::cout << "hogelscope " << programVersion() << "\n";
+            return 0;
+          }};
 }
 
 }  // namespace hogelscope

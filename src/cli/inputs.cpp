@@ -8,7 +8,6 @@
 #include <cmath>
 
 #include "campaign/state_images.h"
-#include "cli/flags.h"
 #include "cli/jobs.h"
 #include "cli/terminal.h"
 #include "core/base/error.h"
@@ -117,10 +116,9 @@ Session withTwin(const Session& session, const std::string& file, const CommandL
 
 std::vector<std::filesystem::path> namedInputs(const CommandLine& line) {
   std::vector<std::filesystem::path> files;
-  const Job& job = jobOf(line.command);
-  if (mayNameFile(job.value)) files.emplace_back(line.subject);
+  if (mayNameFile(line.job->value)) files.emplace_back(line.subject);
   for (const Flag& flag : allFlags()) {
-    const bool mayGrow = line.command == Command::makeCameras && flag.name == "session";
+    const bool mayGrow = line.job->mayReplaceSession && flag.name == "session";
     if (!flag.isInput || mayGrow || !line.mayHave(flag.name)) continue;
     for (const std::string& file : line.texts(flag.name)) files.emplace_back(file);
   }

@@ -27,8 +27,8 @@ Session loadSessionOf(const CommandLine& line);
 /// InputError.
 Session withTwin(const Session& session, const std::string& file, const CommandLine& line);
 
-/// Returns the files that the command line itself names to be read. --make-cameras may replace its
-/// session by the one with more states, so that is not among them.
+/// Returns the files that the command line itself names to be read, without a session that the job
+/// may replace.
 std::vector<std::filesystem::path> namedInputs(const CommandLine& line);
 
 /// Throws InputError if a file that the job will write, or that of --save-session, is one that it

@@ -38,7 +38,7 @@ std::string option(std::string_view name, std::string_view value) {
 std::string needsOf(const Job& job) {
   std::string text;
   for (const Flag& flag : allFlags())
-    if (isOneOf(flag.neededBy, job.command)) text += " " + option(flag.name, flag.value);
+    if (needs(&job, flag)) text += " " + option(flag.name, flag.value);
   return text;
 }
 
@@ -51,8 +51,7 @@ std::string jobEntry(const Job& job) {
 
 std::string flagEntry(const Flag& flag) {
   return ".TP\n" + option(flag.name, flag.value) + "\n" + escaped(flag.help) + "\n.br\nFor " +
-         escaped(optionsOf(flag.jobs)) +
-         (isOneOf(flag.jobs, Command::window) ? ", and the window" : "") + ".\n";
+         escaped(optionsOf(jobsOf(flag))) + (flag.isForWindow ? ", and the window" : "") + ".\n";
 }
 
 std::string examples() {
@@ -95,9 +94,9 @@ std::string manPage() {
   text +=
       ".SH OPTIONS\nOne that the job does not use is refused, and so is one that is given "
       "twice.\n";
-  for (const FlagGroup& group : flagGroups()) {
-    text += ".SS " + escaped(group.heading) + "\n";
-    for (const Flag& flag : group.flags) text += flagEntry(flag);
+  for (const Flag& flag : allFlags()) {
+    if (!flag.heading.empty()) text += ".SS " + escaped(flag.heading) + "\n";
+    text += flagEntry(flag);
   }
   return text + ".SH EXAMPLES\n" + examples() +
          ".SH EXIT STATUS\n"

@@ -74,14 +74,18 @@ void refuseRepeated(const std::vector<Given>& all) {
             "is given twice" + (other->value == one->value ? "" : ", before as " + other->value));
 }
 
+bool isHelp(const Job* job) {
+  return job != nullptr && job->name == "help";
+}
+
 /// Chooses the job. --help with a job shows the help on it.
 void chooseJob(const std::vector<Given>& all, CommandLine& line) {
   const Job* chosen = nullptr;
-  bool isHelp = false;
+  const Job* help = nullptr;
   for (const Given& given : all) {
     if (given.job == nullptr) continue;
-    if (given.job->command == Command::help) {
-      isHelp = true;
+    if (isHelp(given.job)) {
+      help = given.job;
     } else if (chosen != nullptr) {
       throw InputError(dashed(given.name),
                        "is a second job beside " + dashed(chosen->name) + "; give one of them");
@@ -90,26 +94,25 @@ void chooseJob(const std::vector<Given>& all, CommandLine& line) {
       line.subject = given.value;
     }
   }
-  if (chosen != nullptr) line.command = chosen->command;
-  if (!isHelp) return;
-  line.command = Command::help;
+  line.job = help != nullptr ? help : chosen;
+  if (help == nullptr) return;
   line.subject = chosen != nullptr ? chosen->name : "";
 }
 
-void refuseForeign(const Flag& flag, Command command) {
-  if (isOneOf(flag.jobs, command)) return;
-  const std::string owners = optionsOf(flag.jobs);
-  if (command == Command::window)
+void refuseForeign(const Flag& flag, const Job* job) {
+  if (accepts(job, flag)) return;
+  const std::string owners = optionsOf(jobsOf(flag));
+  if (job == nullptr)
     throw InputError(dashed(flag.name),
                      "belongs to " + owners + "; without a job the window opens");
-  throw InputError(dashed(flag.name), "is not an option of " + dashed(jobOf(command).name) +
-                                          "; it belongs to " + owners);
+  throw InputError(dashed(flag.name),
+                   "is not an option of " + dashed(job->name) + "; it belongs to " + owners);
 }
 
 void refuseMissing(const Flag& flag, const CommandLine& line) {
-  if (!isOneOf(flag.neededBy, line.command) || line.has(flag.name)) return;
+  if (!needs(line.job, flag) || line.has(flag.name)) return;
   if (!flag.unless.empty() && line.has(flag.unless)) return;
-  const std::string job = dashed(jobOf(line.command).name);
+  const std::string job = dashed(line.job->name);
   throw InputError(dashed(flag.name), "is missing; " + job + " needs " + dashed(flag.name) + " " +
                                           std::string(flag.value) + ", see --help " +
                                           job.substr(2));
@@ -117,10 +120,10 @@ void refuseMissing(const Flag& flag, const CommandLine& line) {
 
 void addOptions(const std::vector<Given>& all, CommandLine& line) {
   for (const Flag& flag : allFlags())
-    if (isOneOf(flag.jobs, line.command)) line.options[flag.name];
+    if (accepts(line.job, flag)) line.options[flag.name];
   for (const Given& given : all) {
     if (given.flag == nullptr) continue;
-    refuseForeign(*given.flag, line.command);
+    refuseForeign(*given.flag, line.job);
     checkValue(*given.flag, given.value);
     line.options[given.flag->name].push_back(given.value);
   }
@@ -138,12 +141,10 @@ std::string quoted(const std::string& word) {
 }
 
 /// Returns what is wrong with a word that no option has.
-std::string looseWordText(const std::vector<Given>& all, const std::string& word, Command command) {
-  const std::string job = dashed(jobOf(command).name);
+std::string looseWordText(const std::vector<Given>& all, const std::string& word, const Job& of) {
+  const std::string job = dashed(of.name);
   const auto isSession = [](const Given& given) { return given.name == "session"; };
-  const bool isNeeded = std::ranges::any_of(allFlags(), [&](const Flag& flag) {
-    return flag.name == "session" && isOneOf(flag.neededBy, command);
-  });
+  const bool isNeeded = std::ranges::find(of.needs, "session") != of.needs.end();
   const std::string help = "see --help " + job.substr(2);
   if (!isNeeded || std::ranges::any_of(all, isSession))
     return "unexpected argument of " + job + "; " + help;
@@ -153,12 +154,12 @@ std::string looseWordText(const std::vector<Given>& all, const std::string& word
 /// Assigns words without an option: files for the window, the topic for --help; jobs accept none.
 void addLooseWords(const std::vector<Given>& all, std::vector<std::string> words,
                    CommandLine& line) {
-  if (line.command == Command::window) {
+  if (line.job == nullptr) {
     line.files = std::move(words);
-  } else if (line.command == Command::help && line.subject.empty() && words.size() == 1) {
+  } else if (isHelp(line.job) && line.subject.empty() && words.size() == 1) {
     line.subject = words.front();
   } else if (!words.empty()) {
-    throw InputError(words.front(), looseWordText(all, words.front(), line.command));
+    throw InputError(words.front(), looseWordText(all, words.front(), *line.job));
   }
 }
 
@@ -171,11 +172,11 @@ const Job* ownerOf(std::string_view parameter) {
 }
 
 /// Returns "section.field=value" of --set, or of a flag that sets a parameter of this job; else "".
-std::string overrideBy(const Given& given, Command command) {
+std::string overrideBy(const Given& given, const Job* job) {
   if (given.flag == nullptr) return {};
   if (given.name == "set") return given.value;
   const Job* owner = ownerOf(given.flag->shortFor);
-  if (owner == nullptr || owner->command != command) return {};
+  if (owner == nullptr || owner != job) return {};
   return std::string(given.flag->shortFor) + "=" + given.value;
 }
 
@@ -184,15 +185,14 @@ std::string overrideBy(const Given& given, Command command) {
 void sortOverrides(const std::vector<Given>& all, CommandLine& line) {
   std::set<std::string> known;
   for (const Given& given : all) {
-    const std::string text = overrideBy(given, line.command);
+    const std::string text = overrideBy(given, line.job);
     if (text.empty()) continue;
     const std::string name = text.substr(0, text.find('='));
     if (!known.insert(name).second)
       throw InputError("--set " + text, "sets " + name + " a second time");
     const Job* owner = ownerOf(name);
     if (owner == nullptr) continue;
-    if (owner->command != line.command)
-      throw InputError("--set " + text, "belongs to " + dashed(owner->name));
+    if (owner != line.job) throw InputError("--set " + text, "belongs to " + dashed(owner->name));
     line.jobOverrides.push_back(text);
     std::erase(line.options["set"], text);
   }
@@ -219,7 +219,7 @@ CommandLine parseCommandLine(const std::vector<std::string>& arguments) {
       words.push_back(*at);
   chooseJob(all, line);
   addLooseWords(all, std::move(words), line);
-  if (line.command == Command::help) return line;
+  if (isHelp(line.job)) return line;
   refuseRepeated(all);
   addOptions(all, line);
   sortOverrides(all, line);

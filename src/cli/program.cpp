@@ -87,7 +87,7 @@ int runBatch(const CommandLine& line) {
   usePluginFolders(line);
   try {
     const FilesInUse inUse(namedInputs(line));
-    return jobOf(line.command).run(line);
+    return line.job->run(line);
   } catch (const InputError& error) {
     const bool isOfOption = std::string_view(error.what()).starts_with("--");
     if (isOfOption || !line.mayHave("session") || !line.has("session")) throw;

@@ -61,7 +61,7 @@ QStringList smallest(const Job& job) {
   QStringList arguments{dashed(job.name)};
   if (!job.value.empty()) arguments << values.value(text(job.name));
   for (const Flag& flag : allFlags())
-    if (isOneOf(flag.neededBy, job.command)) arguments += given(flag);
+    if (needs(&job, flag)) arguments += given(flag);
   return arguments;
 }
 
@@ -77,6 +77,8 @@ class TestOptionTable : public QObject {
   Q_OBJECT
 
  private Q_SLOTS:
+  void jobsNameOptionsThatThereAre_data();
+  void jobsNameOptionsThatThereAre();
   void everyOptionIsUsedOrRefused_data();
   void everyOptionIsUsedOrRefused();
   void jobsReadTheirOwnOptions_data();
@@ -93,13 +95,27 @@ class TestOptionTable : public QObject {
   void bashCompletes();
 };
 
+void TestOptionTable::jobsNameOptionsThatThereAre_data() {
+  helpOnAJob_data();
+}
+
+/// A misspelt name would take the option from the job.
+void TestOptionTable::jobsNameOptionsThatThereAre() {
+  QFETCH(const Job*, job);
+  std::vector<std::string_view> named = job->needs;
+  named.insert(named.end(), job->takes.begin(), job->takes.end());
+  for (const std::string_view name : named)
+    QVERIFY2(std::ranges::any_of(allFlags(), [&](const Flag& flag) { return flag.name == name; }),
+             name.data());
+}
+
 void TestOptionTable::everyOptionIsUsedOrRefused_data() {
   QTest::addColumn<const Job*>("job");  ///< null: the window
   QTest::addColumn<const Flag*>("flag");
   for (const Flag& flag : allFlags()) {
     QTest::addRow("window, %s", flag.name.data()) << static_cast<const Job*>(nullptr) << &flag;
     for (const Job& job : jobs())
-      if (job.command != Command::help)
+      if (job.name != "help")
         QTest::addRow("%s, %s", job.name.data(), flag.name.data()) << &job << &flag;
   }
 }
@@ -108,12 +124,11 @@ void TestOptionTable::everyOptionIsUsedOrRefused_data() {
 void TestOptionTable::everyOptionIsUsedOrRefused() {
   QFETCH(const Job*, job);
   QFETCH(const Flag*, flag);
-  const Command command = job == nullptr ? Command::window : job->command;
   QStringList arguments = job == nullptr ? QStringList{"s.json"} : smallest(*job);
-  if (!isOneOf(flag->neededBy, command)) arguments += given(*flag);
+  if (!needs(job, *flag)) arguments += given(*flag);
   const QString refusal = refusalOf(arguments);
-  const QString owners = QString::fromStdString(optionsOf(flag->jobs));
-  if (isOneOf(flag->jobs, command))
+  const QString owners = QString::fromStdString(optionsOf(jobsOf(*flag)));
+  if (accepts(job, *flag))
     QCOMPARE(refusal, QString());
   else if (job == nullptr)
     QCOMPARE(refusal,
@@ -132,9 +147,9 @@ void TestOptionTable::jobsReadTheirOwnOptions() {
   QFETCH(const Job*, job);
   QFETCH(const Flag*, flag);
   const CommandLine line = parse(job == nullptr ? QStringList{"s.json"} : smallest(*job));
-  QCOMPARE(line.mayHave(flag->name), isOneOf(flag->jobs, line.command));
+  QCOMPARE(line.mayHave(flag->name), accepts(line.job, *flag));
   if (line.mayHave(flag->name)) {
-    QCOMPARE(line.has(flag->name), isOneOf(flag->neededBy, line.command));
+    QCOMPARE(line.has(flag->name), needs(line.job, *flag));
   } else {
     QVERIFY_EXCEPTION_THROWN((void)line.has(flag->name), std::logic_error);
     QVERIFY_EXCEPTION_THROWN((void)line.text(flag->name), std::logic_error);
@@ -148,7 +163,7 @@ void TestOptionTable::whatIsUsedIsHeard_data() {
   QTest::addColumn<const Flag*>("flag");
   for (const Flag& flag : allFlags())
     for (const Job& job : jobs())
-      if (!flag.value.empty() && isOneOf(flag.jobs, job.command))
+      if (!flag.value.empty() && accepts(&job, flag))
         QTest::addRow("%s, %s", job.name.data(), flag.name.data()) << &job << &flag;
 }
 
@@ -165,7 +180,7 @@ void TestOptionTable::whatIsUsedIsHeard() {
                       : flag->name == "output" ? "s.json/wrong/wrong"
                                                : "wrong";
   QStringList arguments = smallest(*job);
-  if (isOneOf(flag->neededBy, job->command))
+  if (needs(job, *flag))
     arguments[arguments.indexOf(dashed(flag->name)) + 1] = bad;
   else
     arguments << dashed(flag->name) << bad;
@@ -178,9 +193,9 @@ void TestOptionTable::nothingIsMissing_data() {
   QTest::addColumn<const Job*>("job");
   QTest::addColumn<const Flag*>("flag");
   for (const Flag& flag : allFlags())
-    for (const Command command : flag.neededBy)
-      QTest::addRow("%s, %s", jobOf(command).name.data(), flag.name.data())
-          << &jobOf(command) << &flag;
+    for (const Job& job : jobs())
+      if (needs(&job, flag))
+        QTest::addRow("%s, %s", job.name.data(), flag.name.data()) << &job << &flag;
 }
 
 void TestOptionTable::nothingIsMissing() {
@@ -206,15 +221,15 @@ void TestOptionTable::helpOnAJob() {
   QVERIFY(help.startsWith("hogelscope " + dashed(name)));
   for (const QString& line : help.split('\n')) QVERIFY2(line.size() <= 100, qPrintable(line));
   for (const Flag& flag : allFlags())
-    QCOMPARE(help.contains("\n  " + dashed(flag.name) + " "), isOneOf(flag.jobs, job->command));
+    QCOMPARE(help.contains("\n  " + dashed(flag.name) + " "), accepts(job, flag));
   for (const QString& line : examplesOf(*job)) {
     QStringList words = QProcess::splitCommand(line);
     QCOMPARE(words.takeFirst(), QString("hogelscope"));
     words.removeAll("…");
-    QVERIFY2(parse(words).command == job->command, qPrintable(line));
+    QVERIFY2(parse(words).job == job, qPrintable(line));
   }
   QCOMPARE(parse({"--help", text(name)}).subject, name);
-  if (job->command != Command::help) QCOMPARE(parse(smallest(*job) << "-h").subject, name);
+  if (name != "help") QCOMPARE(parse(smallest(*job) << "-h").subject, name);
 }
 
 void TestOptionTable::helpSaysWhoseOptionsAre() {

@@ -54,7 +54,7 @@ const std::map<QString, QStringList>& allowedRooms() {
       {"campaign", {"core", "io"}},
       {"report/page", {"core", "page"}},
       {"report", {"core", "io", "campaign", "page", "report/page"}},
-      {"cli", {"core", "io", "campaign", "report", "cli/jobs"}},
+      {"cli", {"core", "io", "campaign", "report"}},
       {"cli/jobs", {"core", "io", "campaign", "study", "measure", "chart", "report", "cli"}},
       {"python", {"core", "io", "campaign", "measure", "report", "sdk/hogelscope"}},
       {"gui/widgets", {"core", "report"}},

@@ -3,7 +3,7 @@
 #include <iostream>
 
 #include "cli/inputs.h"
-#include "cli/jobs/all_jobs.h"
+#include "cli/jobs.h"
 #include "core/base/error.h"
 #include "core/base/text.h"
 #include "io/documents/camera_set_file.h"
@@ -32,8 +32,6 @@ void sayWhatWasMade(const CameraSet& set, const Session& before, const Session& 
             << "\n";
 }
 
-}  // namespace
-
 int runMakeCameras(const CommandLine& line) {
   const Session session = loadSelected(line);
   const CameraSet set = loadCameraSet(line.subject, line.jobOverrides);
@@ -48,6 +46,44 @@ int runMakeCameras(const CommandLine& line) {
   saveSession(output, result);
   if (!line.has("quiet")) sayWhatWasMade(set, session, result, output);
   return 0;
+}
+
+}  // namespace
+
+Job cameraJob() {
+  return {
+      .name = "make-cameras",
+      .value = "uniform|random|normal|FILE",
+      .help =
+          "Adds camera states to a copy of the session: uniform (a grid), random or normal "
+          "over a region, a distribution of your own FILE.json, or a viewer's trace FILE.csv.",
+      .details =
+          "--output may be the session itself. With --states only those of the session's "
+          "states are kept.",
+      .examples =
+          "  hogelscope --make-cameras uniform --session s.json --count 15 --region arc \\\n"
+          "             --output arc.json\n"
+          "  hogelscope --make-cameras random --session s.json --count 200 --seed 7 \\\n"
+          "             --set cameraRegion.lookat=nearest --output random.json\n"
+          "  hogelscope --make-cameras trace.csv --session s.json --count 600 --output "
+          "viewer.json\n"
+          "  hogelscope --make-cameras viewer.json --session s.json --set trace.only=I01P2R3 \\\n"
+          "             --output seen.json\n",
+      .sections = {"cameraSet", "cameraRegion", "trace"},
+      .needs = {"session", "output"},
+      .takes = {"set", "states", "calibration", "plugins-path", "seed", "quiet"},
+      .own = {{.name = "count",
+               .value = "N",
+               .heading = "Making camera states and test light fields",
+               .after = "rate",
+               .shortFor = "cameraSet.count",
+               .help = "States to add; short for --set cameraSet.count=N."},
+              {.name = "region",
+               .value = "box|plane|arc",
+               .shortFor = "cameraRegion.region",
+               .help = "Where the cameras stand; short for --set cameraRegion.region=…."}},
+      .mayReplaceSession = true,
+      .run = runMakeCameras};
 }
 
 }  // namespace hogelscope

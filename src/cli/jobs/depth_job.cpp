@@ -6,7 +6,7 @@
 
 #include "chart/depth_budget_chart.h"
 #include "cli/inputs.h"
-#include "cli/jobs/all_jobs.h"
+#include "cli/jobs.h"
 #include "cli/terminal.h"
 #include "core/base/error.h"
 #include "core/base/text.h"
@@ -69,8 +69,6 @@ void writePlot(const fs::path& folder, const std::string& name, const DepthFigur
   writeTextFile(folder / (name + ".csv"), csvText(points));
 }
 
-}  // namespace
-
 int runDepth(const CommandLine& line) {
   const Session session = loadSelected(line);
   inFile(line.text("session"), [&] { requireHogels(session.display, "a depth budget"); });
@@ -120,6 +118,36 @@ int runDepth(const CommandLine& line) {
   std::cout << "chart and table in " << printable((folder / "depth.png").string())
             << ", .svg, .csv and .json\n";
   return 0;
+}
+
+}  // namespace
+
+Job depthJob() {
+  return {
+      .name = "depth",
+      .help =
+          "Says whether the session's content fits its display in depth, and what scale and "
+          "place would: DIR/depth.csv, .json, .png, .svg.",
+      .details =
+          "Limits are what the display can show to the eye of a state, and what is "
+          "comfortable for two eyes; proposed is what brings depth.share of the first "
+          "state's pixels within both. A live scene tells its depths; those of views come "
+          "from the shift of what they show, where that stands out.",
+      .examples =
+          "  hogelscope --depth --session data/room.json --output depth\n"
+          "  hogelscope --depth --session s.json --output depth --fit fitted.json \\\n"
+          "             --set depth.comfort=0.5 --states 'front*'\n",
+      .needs = {"session", "output"},
+      .takes = {"set", "states", "calibration", "plugins-path", "save-session", "memory", "threads",
+                "quiet"},
+      .own =
+          {{.name = "fit",
+            .value = "FILE",
+            .after = "save-session",
+            .help =
+                "Also writes the session with its content at the proposed scale and place, or with "
+                "its views sheared."}},
+      .run = runDepth};
 }
 
 }  // namespace hogelscope

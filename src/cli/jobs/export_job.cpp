@@ -4,7 +4,8 @@
 #include <iostream>
 
 #include "cli/inputs.h"
-#include "cli/jobs/all_jobs.h"
+#include "cli/jobs.h"
+#include "cli/jobs/pack_job.h"
 #include "cli/terminal.h"
 #include "core/base/error.h"
 #include "core/base/text.h"
@@ -74,8 +75,6 @@ std::shared_ptr<LightFieldFile> contentToExport(const Session& session, const Co
   return std::make_shared<TwinContent>(file, display, twin);
 }
 
-}  // namespace
-
 int runExport(const CommandLine& line) {
   if (line.has("twin") && !line.has("for-twin"))
     throw InputError(
@@ -128,6 +127,43 @@ int runExport(const CommandLine& line) {
     std::cout << ", display.directions=[" << file->size().du << "," << file->size().dv << "]";
   std::cout << "\n";
   return 0;
+}
+
+}  // namespace
+
+Job exportJob() {
+  return {
+      .name = "export",
+      .value = "hogels|views|quilt|mosaic|woven|pack|rig",
+      .help =
+          "Writes the session's light field, of any layout or live, as hogels (one image), "
+          "views (a folder), quilt, mosaic (one image of all views) or pack (a store); of a lens "
+          "sheet as quilt or views, or as woven the panel's picture; or as rig "
+          "the cameras that take its views, FILE.json and FILE.gltf.",
+      .details =
+          "Values keep their type: 8 or 16 bits or floats, which need .exr or .tif. What a "
+          "live scene becomes gives the same pictures as the scene itself. Only a light "
+          "field that is a store or live may be larger than memory for views, quilt "
+          "and mosaic. "
+          "After a stop pack goes on where it was. A rig needs "
+          "lightField.viewingDistance, and no light field if the display has hogels and "
+          "directions.",
+      .examples =
+          "  hogelscope --export hogels --session live.json --output hogels.png\n"
+          "  hogelscope --export pack --session live.json --output store.tif\n"
+          "  hogelscope --export quilt --session live.json --output room_qs8x6a1.png \\\n"
+          "             --set display.directions=[48,1]\n"
+          "  hogelscope --export rig --session s.json --output rig.json \\\n"
+          "             --set lightField.viewingDistance=0.6\n",
+      .needs = {"session", "output"},
+      .takes = {"set", "twin", "plugins-path", "save-session", "memory", "threads", "quiet"},
+      .own =
+          {{.name = "for-twin",
+            .after = "save-session",
+            .help =
+                "Content that is corrected for the session's twin, or --twin: seen through it, it "
+                "looks as the session's own does through the display as designed."}},
+      .run = runExport};
 }
 
 }  // namespace hogelscope

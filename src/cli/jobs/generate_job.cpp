@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // --generate: computes a row of hogels while the previous one is written.
-#include <chrono>
 #include <cmath>
 #include <filesystem>
 #include <future>
 #include <iostream>
 
 #include "cli/inputs.h"
-#include "cli/jobs/all_jobs.h"
+#include "cli/jobs.h"
 #include "cli/terminal.h"
 #include "core/base/error.h"
 #include "core/base/parallel.h"
@@ -21,6 +20,7 @@
 #include "io/images/degradation.h"
 #include "io/images/image_writer.h"
 #include "io/scene/view_source.h"
+#include "study/time_budget.h"
 
 namespace hogelscope {
 
@@ -28,11 +28,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using Band = std::vector<std::uint8_t>;
-using Clock = std::chrono::steady_clock;
-
-double secondsSince(Clock::time_point start) {
-  return std::chrono::duration<double>(Clock::now() - start).count();
-}
 
 Band makeBand(const Pattern& pattern, const LightFieldSize& size, int j,
               const Degradation& degradation, const Progress& progress) {
@@ -70,13 +65,13 @@ Cost estimateCost(const Pattern& pattern, const LightFieldSize& size,
   double writing = 0;
   for (int k = 0; k < sampled; ++k) {
     const Progress ofBand = part(progress, k / double(sampled), (k + 1) / double(sampled));
-    Clock::time_point start = Clock::now();
+    double start = steadySeconds();
     const Band band =
         makeBand(pattern, size, (2 * k + 1) * size.ny / (2 * sampled), degradation, ofBand);
-    making += secondsSince(start);
-    start = Clock::now();
+    making += steadySeconds() - start;
+    start = steadySeconds();
     writeBand(writer, band, 3 * size.width(), ofBand);
-    writing += secondsSince(start);
+    writing += steadySeconds() - start;
   }
   const auto bytes = double(writer.discard());
   const double whole = double(size.ny) / sampled;
@@ -127,8 +122,6 @@ PanelParams displayToFill(const CommandLine& line, std::optional<FilesInUse>& in
   return resolved(displayOf(session), lightField->size());
 }
 
-}  // namespace
-
 int runGenerate(const CommandLine& line) {
   std::optional<FilesInUse> inUse;
   const PanelParams display = displayToFill(line, inUse);
@@ -152,6 +145,45 @@ int runGenerate(const CommandLine& line) {
   if (!isQuiet)
     std::cout << printable(output) << ": " << size.width() << "×" << size.height() << " px\n";
   return 0;
+}
+
+/// Returns a list such as "scene, spheres.", optionally with the content of each.
+std::string patternList(bool isExplained) {
+  std::string text;
+  for (const auto& [name, help, make] : patterns()) {
+    if (!text.empty()) text += isExplained ? "; " : ", ";
+    text += name;
+    if (isExplained) text.append(" (").append(help).append(")");
+  }
+  return text + ".";
+}
+
+}  // namespace
+
+Job generateJob() {
+  return {
+      .name = "generate",
+      .value = "PATTERN",
+      .help =
+          "Writes a test light field of the session's display, of any size: " + patternList(false),
+      .details = "PATTERN is one of: " + patternList(true),
+      .examples =
+          "  hogelscope --generate scene --session s.json --output scene.png\n"
+          "  hogelscope --generate scene --session s.json --output noisy.png --degrade noise:2\n"
+          "  hogelscope --generate directions --session views --output directions.png\n"
+          "  hogelscope --generate edge --session s.json --output edge.png --set "
+          "pattern.depth=0.2 \\\n"
+          "             --set display.hogels=[256,256]\n",
+      .sections = {"pattern"},
+      .needs = {"session", "output"},
+      .takes = {"set", "plugins-path", "seed", "threads", "quiet"},
+      .own = {{.name = "degrade",
+               .value = "HOW",
+               .after = "seed",
+               .help =
+                   "Makes a worse copy: jpeg:QUALITY, noise:SIGMA in code values, or blur:SIGMA "
+                   "in directional pixels."}},
+      .run = runGenerate};
 }
 
 }  // namespace hogelscope

@@ -7,7 +7,7 @@
 #include <sstream>
 
 #include "cli/inputs.h"
-#include "cli/jobs/all_jobs.h"
+#include "cli/jobs.h"
 #include "cli/terminal.h"
 #include "core/base/error.h"
 #include "core/base/text.h"
@@ -359,6 +359,30 @@ int runInfo(const CommandLine& line) {
   }
   std::cout << out.str();
   return 0;
+}
+
+Job infoJob() {
+  return {.name = "info",
+          .value = "FILE",
+          .help =
+              "Says what a session, a light field's image, a folder of views or a store is, in "
+              "which order its views are, and how sure that is; or what a lens sheet's "
+              "calibration (visual.json) is.",
+          .details =
+              "--output DIR writes DIR/views.png, a contact sheet: the views as their cameras "
+              "stand, with arrows.",
+          .examples =
+              "  hogelscope --info data/table1.json\n"
+              "  hogelscope --info views --json\n"
+              "  hogelscope --info views --output sheet\n"
+              "  hogelscope --info views --set lightField.pattern=view_RR_CC.png\n"
+              "  hogelscope --info large.png --set display.hogels=[512,512] \\\n"
+              "             --set display.directions=[600,600]\n",
+          .takes = {"set", "plugins-path", "output"},
+          .own = {{.name = "json",
+                   .after = "for-twin",
+                   .help = "Prints order, shear and size of a light field for programs."}},
+          .run = runInfo};
 }
 
 }  // namespace hogelscope

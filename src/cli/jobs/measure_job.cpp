@@ -6,7 +6,7 @@
 #include <iostream>
 
 #include "cli/inputs.h"
-#include "cli/jobs/all_jobs.h"
+#include "cli/jobs.h"
 #include "cli/terminal.h"
 #include "core/base/text.h"
 #include "io/documents/session_file.h"
@@ -80,6 +80,26 @@ int runMeasure(const CommandLine& line) {
             << printable((folder / "measure.csv").string()) << " and "
             << printable((folder / "measure.html").string()) << "\n";
   return 0;
+}
+
+Job measureJob() {
+  return {.name = "measure",
+          .help =
+              "Measures what the session's display can show to the eye of its first state, beside "
+              "closed forms: DIR/measure.csv, measure.html, plots.",
+          .details =
+              "Resolution over depth, depth of field, viewing zone, crosstalk, angular profile, "
+              "uniformity and more, simulated with test light; the light field is not read. "
+              "After a stop the same command goes on where it was, and --shard K/N does a part, "
+              "as of a report.",
+          .examples =
+              "  hogelscope --measure --session data/table1.json --output measures\n"
+              "  hogelscope --measure --session s.json --states 'front' --output measures \\\n"
+              "             --set psf.sigma=0.67 --set psf.windowSize=5\n",
+          .needs = {"session", "output"},
+          .takes = {"set", "states", "calibration", "plugins-path", "save-session", "shard",
+                    "memory", "threads", "quiet"},
+          .run = runMeasure};
 }
 
 }  // namespace hogelscope

@@ -4,7 +4,8 @@
 #include <iostream>
 
 #include "cli/inputs.h"
-#include "cli/jobs/all_jobs.h"
+#include "cli/jobs.h"
+#include "cli/jobs/pack_job.h"
 #include "cli/terminal.h"
 #include "core/base/error.h"
 #include "core/base/text.h"
@@ -81,11 +82,35 @@ int packContent(const Session& session, bool isDisplayGiven, const CommandLine& 
   return 0;
 }
 
+namespace {
+
 int runPack(const CommandLine& line) {
   const auto [session, isDisplayGiven] = loadContent(line);
   if (typeOf(session.lightField.layout).holder == Holder::views)
     warnOf(*openLightField(session.lightField, session.display), session.lightField.file, line);
   return packContent(session, isDisplayGiven, line);
+}
+
+}  // namespace
+
+Job packJob() {
+  return {.name = "pack",
+          .value = "LF",
+          .help =
+              "Writes a light field as a store: a tiled TIFF of which a view reads only what it "
+              "sees, so that it need not fit into memory.",
+          .details =
+              "What an image of hogels does not say, display.hogels and display.directions, "
+              "--session or --set says. After a stop the same command goes on where it was.",
+          .examples =
+              "  hogelscope --pack large.png --session s.json --output large.tif\n"
+              "  hogelscope --pack large.png --output large.tif --set display.hogels=[512,512] \\\n"
+              "             --set display.directions=[600,600]\n"
+              "  hogelscope --pack views --output views.tif --memory 4000\n"
+              "  hogelscope --pack decoded.png --session views --output decoded.tif\n",
+          .needs = {"output"},
+          .takes = {"session", "set", "plugins-path", "memory", "threads", "quiet"},
+          .run = runPack};
 }
 
 }  // namespace hogelscope

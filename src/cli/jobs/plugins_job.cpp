@@ -2,7 +2,7 @@
 // --plugins: lists the plugins that are found.
 #include <iostream>
 
-#include "cli/jobs/all_jobs.h"
+#include "cli/jobs.h"
 #include "core/base/text.h"
 #include "io/files/folders.h"
 #include "io/plugins/plugin_list.h"
@@ -32,8 +32,6 @@ void print(const std::vector<Cells>& rows) {
   }
 }
 
-}  // namespace
-
 int runPlugins(const CommandLine& /*line*/) {
   std::vector<Cells> rows{{"plugin", "version", "kinds", "folder, or why it is refused"}};
   for (const FoundPlugin& plugin : listPlugins()) {
@@ -48,6 +46,19 @@ int runPlugins(const CommandLine& /*line*/) {
     std::cout << "looked in " << printable(folder.string())
               << (isFolder(folder) ? "" : " (missing)") << "\n";
   return 0;
+}
+
+}  // namespace
+
+Job pluginsJob() {
+  return {.name = "plugins",
+          .help = "Lists the plugins that are found, and says why any is refused.",
+          .details = "Nothing of them is loaded: a session loads those that it names.",
+          .examples =
+              "  hogelscope --plugins\n"
+              "  hogelscope --plugins --plugins-path build/plugins-2\n",
+          .takes = {"plugins-path"},
+          .run = runPlugins};
 }
 
 }  // namespace hogelscope

@@ -10,7 +10,7 @@
 #include "campaign/state_images.h"
 #include "cli/explain.h"
 #include "cli/inputs.h"
-#include "cli/jobs/all_jobs.h"
+#include "cli/jobs.h"
 #include "cli/terminal.h"
 #include "core/base/error.h"
 #include "core/base/parallel.h"
@@ -287,8 +287,6 @@ std::array<int, 2> sizeOf(const Picture& picture, const RenderOutput& output) {
   return {isBeside ? width * int(picture.eyes.size()) : width, height};
 }
 
-}  // namespace
-
 int runRender(const CommandLine& line) {
   Session session = loadSelected(line);
   if (line.has("between"))
@@ -336,6 +334,62 @@ int runRender(const CommandLine& line) {
     std::cout << lines << pictures.all.size() + 2 * pictures.undistorted << " picture(s) in "
               << printable(output.folder.string()) << "\n";
   return 0;
+}
+
+}  // namespace
+
+Job renderJob() {
+  return {
+      .name = "render",
+      .help = "Writes one picture for each camera state: DIR/<name>.png.",
+      .examples =
+          "  hogelscope --render --session data/table1.json --output out --masks\n"
+          "  hogelscope --render --session data/table1.json --output out --states 'Fig 1' \\\n"
+          "             --set camera.res=[1200,1200] --set sampling.samplesPerPixel=4\n"
+          "  hogelscope --render --session s.json --output out --calibration camera.yml "
+          "--explain\n",
+      .needs = {"session", "output"},
+      .takes = {"set", "states", "calibration", "twin", "plugins-path", "save-session", "shard",
+                "explain", "memory", "threads", "quiet"},
+      .own =
+          {{.name = "format",
+            .value = "png|exr|tif",
+            .after = "save-session",
+            .choices = {"png", "exr", "tif"},
+            .help = "Of the pictures: EXR holds the unrounded values, TIFF 16 bits."},
+           {.name = "ideal",
+            .help = "In place of what the display shows: what the eye would see of the session's "
+                    "live scene itself through the panel."},
+           {.name = "undistort",
+            .help = "Of each state with a distortion also DIR/<name>.undistorted.png, its view "
+                    "without the lens, <name>.undistorted-opencv.png, its picture straightened by "
+                    "OpenCV, and <name>.undistortion.png, the difference of the two."},
+           {.name = "stereo",
+            .value = "MODE",
+            .choices = {stereoModeNames().begin(), stereoModeNames().end()},
+            .help = "One picture for both eyes, DIR/<name>.png, of states with stereo.ipd, in "
+                    "place of one for each: side-by-side, anaglyph, anaglyph-grey (red on the left "
+                    "and cyan on the right), cross-eyed."},
+           {.name = "focus-stack",
+            .value = "N",
+            .range = NumberRange{.min = 2, .max = 9999, .isInteger = true},
+            .help = "Of each state with a pupil N pictures, focused evenly in dioptres over the "
+                    "depths that the display can show: DIR/<name>.focus01.png and so on, and their "
+                    "distances in DIR/<name>.focus.csv."},
+           {.name = "between",
+            .value = "N",
+            .range = NumberRange{.min = 1, .max = 9999, .isInteger = true},
+            .help = "The path through the states in place of them: N pictures between each two, "
+                    "and the states' own, DIR/frame_0001 and so on."},
+           {.name = "video",
+            .value = "FILE.mp4",
+            .help = "Also a video of the pictures, made by the program ffmpeg."},
+           {.name = "fps",
+            .value = "F",
+            .range = NumberRange{.min = 0.1, .max = 240},
+            .help = "Pictures that the video shows in a second, 30 by default."},
+           {.name = "masks", .help = "Also DIR/<name>.mask.png, white where the display is seen."}},
+      .run = runRender};
 }
 
 }  // namespace hogelscope

@@ -11,7 +11,7 @@
 
 #include "cli/explain.h"
 #include "cli/inputs.h"
-#include "cli/jobs/all_jobs.h"
+#include "cli/jobs.h"
 #include "cli/terminal.h"
 #include "core/base/error.h"
 #include "core/base/parameters.h"
@@ -190,8 +190,6 @@ Report makeWithProgress(const ReportRequest& request, const CommandLine& line) {
   }
 }
 
-}  // namespace
-
 int runReport(const CommandLine& line) {
   const bool isQuiet = line.has("quiet");
   ReportRequest request;
@@ -263,6 +261,70 @@ int runReport(const CommandLine& line) {
               << " and " << printable((folder / "report.csv").string()) << "\n";
   }
   return checkGate(report.rows, line.number("fail-below"));
+}
+
+}  // namespace
+
+Job reportJob() {
+  return {
+      .name = "report",
+      .help =
+          "Renders every state from the session's light field and from each test light field, "
+          "and compares them: DIR/report.csv, metrics.csv, summary.csv, report.html.",
+      .details =
+          "After a stop the same command goes on where it was. Many processes, on one "
+          "machine or on many that share the folder, make one report: --shard K/N does a "
+          "part of the views; then the command without --shard takes up the parts, does "
+          "what is missing, and writes the report.",
+      .examples =
+          "  hogelscope --report --session s.json --test coded.png --output report\n"
+          "  hogelscope --report --session s.json --test coded.png --output report --shard 2/4\n"
+          "  hogelscope --report --session s.json --test coded.png --output report --images \\\n"
+          "             --fail-below 30\n"
+          "  hogelscope --report --session s.json --test a1.jpg … --test b4.jp2 --output report "
+          "\\\n"
+          "             --group JPEG=a1.jpg,a2.jpg,a3.jpg,a4.jpg \\\n"
+          "             --group JPEG2000=b1.jp2,b2.jp2,b3.jp2,b4.jp2\n",
+      .needs = {"session", "output", "test"},
+      .takes = {"set", "states", "calibration", "twin", "plugins-path", "save-session", "shard",
+                "explain", "memory", "threads", "quiet"},
+      .own =
+          {{.name = "images",
+            .after = "masks",
+            .help = "Also the pictures, DIR/reference and DIR/test1, test2, …"},
+           {.name = "test",
+            .value = "LF",
+            .heading = "Comparing light fields",
+            .after = "explain",
+            .unless = "against",
+            .isInput = true,
+            .mayRepeat = true,
+            .help =
+                "A light field to compare with the session's: an image, a folder, a store, or a "
+                "session, whose display comes with it. Repeat it for more."},
+           {.name = "against",
+            .value = "ideal|design",
+            .choices = {"ideal", "design"},
+            .help =
+                "ideal: the reference is the ideal view of the session's live scene, what the eye "
+                "would see of it without the display; the display is then the first test. design: "
+                "the reference is the display as designed, and each --twin is a test."},
+           {.name = "fail-below",
+            .value = "DB",
+            .range = NumberRange{},
+            .help = "Exit status 1 if any PSNR over the pixels seen is below."},
+           {.name = "group",
+            .value = "NAME=LF,LF,…",
+            .mayRepeat = true,
+            .help =
+                "Tests that make one rate-distortion curve, four or more. Every pair of groups is "
+                "compared: BD-rates and BD-qualities in DIR/bd.csv."},
+           {.name = "rate",
+            .value = "LF=BITS",
+            .mayRepeat = true,
+            .help = "Of a --group's test: bits per directional pixel, if not those of its file's "
+                    "size."}},
+      .run = runReport};
 }
 
 }  // namespace hogelscope

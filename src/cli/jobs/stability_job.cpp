@@ -5,7 +5,7 @@
 #include <iostream>
 
 #include "chart/stability_charts.h"
-#include "cli/jobs/all_jobs.h"
+#include "cli/jobs.h"
 #include "cli/terminal.h"
 #include "core/base/parallel.h"
 #include "core/base/text.h"
@@ -29,8 +29,6 @@ std::vector<NamedLens> allLenses(const std::string& calibrations) {
   }
   return lenses;
 }
-
-}  // namespace
 
 int runStability(const CommandLine& line) {
   const std::string calibrations = line.text("calibrations");
@@ -64,6 +62,26 @@ int runStability(const CommandLine& line) {
               << " lens(es) of the calibrations, pixel by pixel, in "
               << printable((folder / "lenses.png").string()) << "\n";
   return 0;
+}
+
+}  // namespace
+
+Job stabilityJob() {
+  return {.name = "stability",
+          .help =
+              "Measures where methods fail: which ways to invert a lens find the right ray, which "
+              "a wrong one or none, and other unstable cases: DIR/stability.csv, .png.",
+          .examples =
+              "  hogelscope --stability --output stability\n"
+              "  hogelscope --stability --output stability --calibrations cameras.json\n",
+          .needs = {"output"},
+          .takes = {"threads", "quiet"},
+          .own = {{.name = "calibrations",
+                   .value = "FILE",
+                   .after = "calibration",
+                   .isInput = true,
+                   .help = "Adds lenses: a JSON list of cameras, or one OpenCV calibration."}},
+          .run = runStability};
 }
 
 }  // namespace hogelscope

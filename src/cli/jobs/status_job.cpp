@@ -7,7 +7,7 @@
 #include <set>
 
 #include "campaign/journal.h"
-#include "cli/jobs/all_jobs.h"
+#include "cli/jobs.h"
 #include "core/base/error.h"
 #include "core/base/text.h"
 #include "io/files/folders.h"
@@ -107,8 +107,6 @@ void print(const Run& run) {
       std::cout << "whole run    " << (journal->isInUse ? "at work" : "stopped") << "\n";
 }
 
-}  // namespace
-
 int runStatus(const CommandLine& line) {
   const fs::path folder = line.subject;
   if (!isFolder(folder)) throw InputError(line.subject, "is not a folder");
@@ -123,6 +121,18 @@ int runStatus(const CommandLine& line) {
   }
   for (const Run& run : runsOf(journals)) print(run);
   return 1;
+}
+
+}  // namespace
+
+Job statusJob() {
+  return {.name = "status",
+          .value = "DIR",
+          .help =
+              "Says how far the report, measures or sweep in a folder is, and which shards. Exit "
+              "status 0 if it is finished, 1 if not.",
+          .examples = "  hogelscope --status report\n",
+          .run = runStatus};
 }
 
 }  // namespace hogelscope

@@ -5,7 +5,7 @@
 #include <iostream>
 
 #include "cli/inputs.h"
-#include "cli/jobs/all_jobs.h"
+#include "cli/jobs.h"
 #include "cli/terminal.h"
 #include "core/base/text.h"
 #include "io/documents/session_file.h"
@@ -57,6 +57,25 @@ int runSweep(const CommandLine& line) {
   if (const std::string effect = effectText(request.table, result.rows); !effect.empty())
     std::cout << effect << "\n";
   return 0;
+}
+
+Job sweepJob() {
+  return {.name = "sweep",
+          .value = "TABLE.json",
+          .help =
+              "Measures figures of many designs, which vary parameters of the session as a table "
+              "says: DIR/sweep.csv, sweep.html, plots.",
+          .details =
+              "TABLE.json has parameters, sampling (grid or latin-hypercube, with count and "
+              "seed), figures and pareto. After a stop the same command goes on where it was, "
+              "and --shard K/N does a part, as of a report.",
+          .examples =
+              "  hogelscope --sweep table.json --session s.json --output sweep\n"
+              "  hogelscope --sweep table.json --session s.json --output sweep --shard 2/4\n",
+          .needs = {"session", "output"},
+          .takes = {"set", "states", "calibration", "plugins-path", "save-session", "shard",
+                    "memory", "threads", "quiet"},
+          .run = runSweep};
 }
 
 }  // namespace hogelscope

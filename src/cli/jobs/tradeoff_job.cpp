@@ -7,7 +7,7 @@
 #include "chart/recommendations.h"
 #include "chart/tradeoff_chart.h"
 #include "cli/inputs.h"
-#include "cli/jobs/all_jobs.h"
+#include "cli/jobs.h"
 #include "cli/terminal.h"
 #include "core/base/parallel.h"
 #include "core/base/text.h"
@@ -32,8 +32,6 @@ void printLimits(const std::vector<TradeoffRow>& rows) {
   print("on part of the pixels (see the table): ",
         [](const TradeoffRow& row) { return row.isSampled; });
 }
-
-}  // namespace
 
 int runTradeoff(const CommandLine& line) {
   const double start = steadySeconds();
@@ -83,6 +81,35 @@ int runTradeoff(const CommandLine& line) {
   std::cout << "chart and table in " << printable((folder / "tradeoff.png").string())
             << ", .svg and .csv\n";
   return 0;
+}
+
+}  // namespace
+
+Job tradeoffJob() {
+  return {
+      .name = "tradeoff",
+      .help =
+          "Measures speed against accuracy of every method on the session's own states: "
+          "DIR/tradeoff.csv, .png, .svg.",
+      .details =
+          "With sampling.reconstruction nearest and one ray a pixel the reference is the "
+          "display as built, with any other sampling the ideal picture. The table says on "
+          "how many pixels each figure was measured, and how well a time is known.",
+      .examples =
+          "  hogelscope --tradeoff --session data/table1.json --output tradeoff --budget 20\n"
+          "  hogelscope --tradeoff --session data/table1.json --output ideal \\\n"
+          "             --set sampling.reconstruction=quadrilinear\n",
+      .needs = {"session", "output"},
+      .takes = {"set", "states", "calibration", "plugins-path", "save-session", "memory", "threads",
+                "quiet"},
+      .own = {{.name = "budget",
+               .value = "SECONDS",
+               .after = "threads",
+               .range = NumberRange{.min = 0.001, .max = 1e6},
+               .help =
+                   "How long the job may take, 60 by default: what is slow is measured once and "
+                   "on fewer pixels, what is fast until its time is known to two per cent."}},
+      .run = runTradeoff};
 }
 
 }  // namespace hogelscope

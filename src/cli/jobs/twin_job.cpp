@@ -4,7 +4,7 @@
 #include <iostream>
 
 #include "cli/inputs.h"
-#include "cli/jobs/all_jobs.h"
+#include "cli/jobs.h"
 #include "core/base/error.h"
 #include "core/base/text.h"
 #include "core/panel/twin.h"
@@ -16,6 +16,8 @@
 #include "io/twin/twin_maps.h"
 
 namespace hogelscope {
+
+namespace {
 
 int runMakeTwin(const CommandLine& line) {
   const Session session = loadSessionOf(line);
@@ -44,6 +46,23 @@ int runMakeTwin(const CommandLine& line) {
     std::cout << printable(output.string()) << ", " << printable(maps.string()) << ": "
               << pairText(display.hogels[0], display.hogels[1]) << " hogels\n";
   return 0;
+}
+
+}  // namespace
+
+Job twinJob() {
+  return {.name = "make-twin",
+          .help =
+              "Draws the random errors of the session's twin, or of --twin, and writes a twin "
+              "without random numbers: --output F.json, and F.hogels.exr with what was drawn.",
+          .examples =
+              "  hogelscope --make-twin --session data/room.json --twin unit7.json --output "
+              "drawn.json\n"
+              "  hogelscope --make-twin --session s.json --set twin.random.seed=8 \\\n"
+              "             --set twin.random.shift.sigma=5e-6 --output unit8.json\n",
+          .needs = {"session", "output"},
+          .takes = {"set", "twin", "plugins-path", "memory", "quiet"},
+          .run = runMakeTwin};
 }
 
 }  // namespace hogelscope
