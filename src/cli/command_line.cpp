@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cli/command_line.h"
 
-#include <charconv>
 #include <stdexcept>
+
+#include "core/base/text.h"
 
 namespace hogelscope {
 
@@ -18,11 +19,7 @@ std::string CommandLine::text(std::string_view option, const char* otherwise) co
 }
 
 std::optional<double> CommandLine::number(std::string_view option) const {
-  if (!has(option)) return {};
-  const std::string& digits = texts(option).front();
-  double value = 0;
-  std::from_chars(digits.data(), digits.data() + digits.size(), value);
-  return value;
+  return has(option) ? numberOf(texts(option).front()) : std::nullopt;
 }
 
 }  // namespace hogelscope

@@ -33,4 +33,9 @@ struct CommandLine {
   [[nodiscard]] std::optional<double> number(std::string_view option) const;
 };
 
+/// Parses the arguments by the tables of jobs and options. Throws InputError for an unknown option
+/// (with the nearest known one), one that the job does not use, one given twice, a missing or an
+/// invalid value.
+CommandLine parseCommandLine(const std::vector<std::string>& arguments);
+
 }  // namespace hogelscope

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Parsing of the command line; options that the job does not use are rejected.
-#include "cli/parser.h"
-
 #include <algorithm>
 #include <set>
 
+#include "cli/command_line.h"
 #include "cli/flags.h"
 #include "cli/jobs.h"
 #include "core/base/error.h"

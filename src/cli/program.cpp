@@ -11,7 +11,6 @@
 
 #include "cli/inputs.h"
 #include "cli/jobs.h"
-#include "cli/parser.h"
 #include "cli/stop_signals.h"
 #include "cli/terminal.h"
 #include "core/base/error.h"

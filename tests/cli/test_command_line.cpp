@@ -5,7 +5,7 @@
 #include <QTest>
 
 #include "cli/help.h"
-#include "cli/parser.h"
+#include "cli/command_line.h"
 #include "tests/cli/program.h"
 #include "tests/io/any_images.h"
 #include "tests/io/documents.h"

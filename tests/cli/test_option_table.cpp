@@ -9,7 +9,6 @@
 #include "cli/flags.h"
 #include "cli/help.h"
 #include "cli/jobs.h"
-#include "cli/parser.h"
 #include "cli/program.h"
 #include "core/base/error.h"
 #include "tests/io/documents.h"
