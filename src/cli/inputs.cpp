@@ -14,7 +14,6 @@
 #include "core/base/text.h"
 #include "io/documents/session_file.h"
 #include "io/documents/twin_file.h"
-#include "io/files/files_in_use.h"
 #include "io/files/folders.h"
 #include "io/opening/opening.h"
 
@@ -138,15 +137,17 @@ void checkResults(const CommandLine& line, const Session& session,
   makeFolderOf(kept);
 }
 
-void keepSession(const CommandLine& line, const Session& session) {
+bool finish(const CommandLine& line, const Session& session) {
   if (line.has("save-session")) saveSession(line.text("save-session"), session);
+  return !line.has("quiet");
 }
 
-Session loadSelected(const CommandLine& line) {
+Session loadSelected(const CommandLine& line, const char* ofHogels) {
   const std::string file = line.text("session");
   Session session = loadSessionOf(line);
   session.cameras = selected(session, line.text("states", "*"), file);
   for (const std::string& warning : warnings(session)) warn(line, warning);
+  if (ofHogels != nullptr) requireHogels(session.display, ofHogels);
   return session;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Input sessions and light fields of the jobs.
+// Input sessions and light fields of the jobs, and what all jobs do with them.
 #pragma once
 
 #include <cstddef>
@@ -12,7 +12,6 @@
 #include "core/base/shard.h"
 #include "core/optics/session.h"
 #include "io/files/files_in_use.h"
-#include "io/layouts/light_field_file.h"
 #include "io/opening/session_around.h"
 #include "io/scene/view_source.h"
 
@@ -22,6 +21,23 @@ namespace hogelscope {
 /// and with --calibration if the job has it. What its pictures say against the order of its views
 /// goes to stderr. Throws InputError, or Cancelled.
 Session loadSessionOf(const CommandLine& line);
+
+/// A job's session and its light field; no result replaces one of their files while it lives.
+struct Input {
+  /// Opens the light field: before anything is written, so that an invalid file leaves no folder
+  /// behind. Throws InputError.
+  explicit Input(Session read) : Input(read, openLightField(read.lightField, read.display)) {}
+  /// `opened` is the light field, or is made of it.
+  Input(Session read, std::shared_ptr<LightFieldFile> opened)
+      : session(std::move(read)), file(std::move(opened)), inUse(filesOf(session, *file)) {}
+
+  /// Returns the session's display with its hogels and directions. Throws InputError.
+  [[nodiscard]] PanelParams display() const { return resolved(displayOf(session), file->size()); }
+
+  Session session;
+  std::shared_ptr<LightFieldFile> file;
+  FilesInUse inUse;
+};
 
 /// Returns the session with the twin of a document, and the job's --set of twin.* over it. Throws
 /// InputError.
@@ -37,13 +53,14 @@ std::vector<std::filesystem::path> namedInputs(const CommandLine& line);
 void checkResults(const CommandLine& line, const Session& session,
                   std::vector<std::filesystem::path> files);
 
-/// Writes the session to --save-session if that is given: the last thing that a job writes, so that
-/// one that is refused leaves none. Throws InputError.
-void keepSession(const CommandLine& line, const Session& session);
+/// Ends a job: writes the session to --save-session if that is given, as the last file, so that a
+/// job that fails leaves none. Returns whether the job prints its results. Throws InputError.
+bool finish(const CommandLine& line, const Session& session);
 
 /// Returns the same session with only the states that --states selects; prints all warnings on
-/// stderr. Throws InputError, Cancelled.
-Session loadSelected(const CommandLine& line);
+/// stderr. Throws InputError, also for a lens sheet if what the job makes, `ofHogels`, needs a
+/// display of hogels; Cancelled.
+Session loadSelected(const CommandLine& line, const char* ofHogels = nullptr);
 
 /// Returns the shard of --shard; none without it. Throws InputError.
 std::optional<Shard> shardOf(const CommandLine& line);

@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <iostream>
 
+#include "campaign/journal.h"
 #include "cli/stop_signals.h"
 #include "core/base/text.h"
 
@@ -13,6 +14,23 @@ namespace hogelscope {
 
 void printNote(const std::string& text) {
   std::cerr << "hogelscope: " + printable(text) + "\n";
+}
+
+void printFound(const std::filesystem::path& folder, bool replacedAnother, std::size_t taken,
+                const std::string& rows, const std::string& run) {
+  if (replacedAnother)
+    printNote(journalIn(folder).string() + ": was of another " + run +
+              " that did not finish; begun anew");
+  if (taken > 0)
+    printNote("went on after " + std::to_string(taken) + " " + rows + " of an earlier run");
+}
+
+bool printShard(const std::optional<Shard>& shard, const std::string& rows,
+                const std::string& result) {
+  if (shard)
+    std::cout << "shard " << textOf(*shard) << ": its " << rows
+              << " are done; the command without --shard writes the " << result << "\n";
+  return shard.has_value();
 }
 
 ProgressBar::ProgressBar(std::string what, bool quiet)

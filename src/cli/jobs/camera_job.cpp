@@ -8,9 +8,7 @@
 #include "core/base/text.h"
 #include "io/documents/camera_set_file.h"
 #include "io/documents/session_file.h"
-#include "io/files/files_in_use.h"
 #include "io/files/folders.h"
-#include "io/scene/view_source.h"
 
 namespace hogelscope {
 

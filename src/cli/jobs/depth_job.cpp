@@ -12,10 +12,8 @@
 #include "core/base/text.h"
 #include "io/documents/session_file.h"
 #include "io/files/atomic_file.h"
-#include "io/files/files_in_use.h"
 #include "io/files/folders.h"
 #include "io/files/system_limits.h"
-#include "io/scene/view_source.h"
 #include "measure/depth_budget_run.h"
 
 namespace hogelscope {
@@ -70,10 +68,8 @@ void writePlot(const fs::path& folder, const std::string& name, const DepthFigur
 }
 
 int runDepth(const CommandLine& line) {
-  const Session session = loadSelected(line);
-  inFile(line.text("session"), [&] { requireHogels(session.display, "a depth budget"); });
-  const auto file = openLightField(session.lightField, session.display);
-  warnOf(*file, line.text("session"), line);
+  const Input input(loadSelected(line, "a depth budget"));
+  warnOf(*input.file, line.text("session"), line);
   const fs::path folder = line.text("output");
   const std::string fit = line.text("fit");
   std::vector<fs::path> outputs{folder / "depth.csv", folder / "depth.json", folder / "depth.png",
@@ -83,19 +79,18 @@ int runDepth(const CommandLine& line) {
       throw InputError("--fit " + fit,
                        "cannot be written: a session's name ends in .hogelscope or .json");
     outputs.emplace_back(fit);
-    (void)textFor(fit, session);  // the fitted one differs in numbers alone
+    (void)textFor(fit, input.session);  // the fitted one differs in numbers alone
   }
-  const FilesInUse inUse(filesOf(session, *file));
-  checkResults(line, session, outputs);
+  checkResults(line, input.session, outputs);
   makeFolder(folder);
   ProgressBar bar("measuring depths", line.has("quiet"));
-  const DepthBudget budget = measureDepths(session, *file, {}, bar.progress());
+  const DepthBudget budget = measureDepths(input.session, *input.file, {}, bar.progress());
   if (!fit.empty() && !budget.proposal)
     throw InputError("--fit " + fit, "there is nothing to write: " + budget.obstacle);
   const OffscreenPainting painting;
   writeTextFile(folder / "depth.csv", csv(budget));
   writeTextFile(folder / "depth.json", json(budget));
-  const DepthBudgetChart chart(budget, session);
+  const DepthBudgetChart chart(budget, input.session);
   const Paint paint = [&chart](QPainter& painter, const QSizeF& size) {
     chart.paint(painter, size);
   };
@@ -111,9 +106,8 @@ int runDepth(const CommandLine& line) {
     makeFolderOf(fit);
     saveSession(fit, budget.proposal->session);
   }
-  keepSession(line, session);
   bar.done();
-  if (line.has("quiet")) return 0;
+  if (!finish(line, input.session)) return 0;
   printFigures(budget);
   std::cout << "chart and table in " << printable((folder / "depth.png").string())
             << ", .svg, .csv and .json\n";

@@ -12,11 +12,9 @@
 #include "io/documents/rig_file.h"
 #include "io/documents/session_file.h"
 #include "io/files/atomic_file.h"
-#include "io/files/files_in_use.h"
 #include "io/files/folders.h"
 #include "io/scene/light_field_export.h"
 #include "io/scene/twin_content.h"
-#include "io/scene/view_source.h"
 
 namespace hogelscope {
 
@@ -36,7 +34,7 @@ PanelParams panelOf(const Session& session) {
 }
 
 int exportRig(const Session& session, const CommandLine& line) {
-  inFile(line.text("session"), [&] { requireHogels(session.display, "a rig"); });
+  requireHogels(session.display, "a rig");
   const fs::path output = line.text("output");
   const fs::path gltf = fs::path(output).replace_extension(".gltf");
   if (gltf == output)
@@ -44,13 +42,11 @@ int exportRig(const Session& session, const CommandLine& line) {
                      "is the name of the glTF file beside the rig: end it in .json");
   const FilesInUse inUse(filesOf(session));
   checkResults(line, session, {output, gltf});
-  const PanelParams display = panelOf(session);  // its errors name the light field's file
-  const std::vector<RigCamera> rig = inFile(line.text("session"), [&] { return rigOf(display); });
+  const std::vector<RigCamera> rig = rigOf(panelOf(session));
   makeFolderOf(output);
   writeTextFile(output, rigText(rig));
   writeTextFile(gltf, rigGltf(rig));
-  keepSession(line, session);
-  if (!line.has("quiet"))
+  if (finish(line, session))
     std::cout << printable(output.string()) << ", " << printable(gltf.string()) << ": "
               << rig.size() << " camera(s)\n";
   return 0;
@@ -62,13 +58,12 @@ std::shared_ptr<LightFieldFile> contentToExport(const Session& session, const Co
   if (session.display.sheet && line.subject != "woven") {
     if (line.has("for-twin"))
       throw InputError("command line", "--for-twin", "is not for the views of a lens sheet");
-    return inFile(line.text("session"),
-                  [&] { return openUnwoven(session.lightField, session.display); });
+    return openUnwoven(session.lightField, session.display);
   }
   std::shared_ptr<LightFieldFile> file = openLightField(session.lightField, session.display);
   if (!line.has("for-twin")) return file;
   const PanelParams display = resolved(displayOf(session), file->size());
-  auto twin = inFile(line.text("session"), [&] { return twinOf(session.twin, display); });
+  auto twin = twinOf(session.twin, display);
   if (!twin)
     throw InputError("command line", "--for-twin",
                      "needs a unit: --twin FILE, or a session with a twin");
@@ -84,14 +79,13 @@ int runExport(const CommandLine& line) {
     return exportRig(loadSession(line.text("session"), line.texts("set")), line);
   const Session session = loadSessionOf(line);
   if (line.subject == "rig") return exportRig(session, line);
-  if (line.subject == "pack")
-    inFile(line.text("session"), [&] { requireHogels(session.display, "a pack"); });
+  if (line.subject == "pack") requireHogels(session.display, "a pack");
   if (line.has("for-twin") && line.subject == "pack")
     throw InputError("command line", "--for-twin",
                      "is not for a store: export hogels or views, then pack them");
   if (line.subject == "pack") {
     const int status = packContent(session, true, line);
-    keepSession(line, session);
+    finish(line, session);
     return status;
   }
   const auto isTo = [&line](const char* layout) { return line.subject == layout; };
@@ -107,24 +101,23 @@ int runExport(const CommandLine& line) {
                          ? "is for a display of hogels: give quilt, views or woven for a lens sheet"
                          : "is for a lens sheet: a session with display.kind \"sheet\"");
   const fs::path output = line.text("output");
-  const auto file = contentToExport(session, line);
-  const FilesInUse inUse(filesOf(session, *file));
+  const Input input(session, contentToExport(session, line));
+  LightFieldFile& file = *input.file;
   checkResults(line, session, {output});
   std::array<int, 2> tiles{};
-  if (isQuilt) tiles = quiltTilesFor(*file, output);
+  if (isQuilt) tiles = quiltTilesFor(file, output);
   makeFolderOf(output);
   ProgressBar bar("exporting", line.has("quiet"));
   (isTo("hogels") || isTo("woven") ? exportHogels
    : isQuilt                       ? exportQuilt
    : isTo("views")                 ? exportViews
-                                   : exportMosaic)(*file, output, bar.progress());
-  keepSession(line, session);
+                                   : exportMosaic)(file, output, bar.progress());
   bar.done();
-  if (line.has("quiet")) return 0;
+  if (!finish(line, session)) return 0;
   std::cout << printable(output.string()) << ": " << line.subject;
   if (isQuilt) std::cout << ", lightField.columns=" << tiles[0] << " lightField.rows=" << tiles[1];
   if (isTo("mosaic"))
-    std::cout << ", display.directions=[" << file->size().du << "," << file->size().dv << "]";
+    std::cout << ", display.directions=[" << file.size().du << "," << file.size().dv << "]";
   std::cout << "\n";
   return 0;
 }

@@ -14,12 +14,10 @@
 #include "core/content/pattern_list.h"
 #include "io/documents/light_field_params.h"
 #include "io/documents/session_file.h"
-#include "io/files/files_in_use.h"
 #include "io/files/folders.h"
 #include "io/files/system_limits.h"
 #include "io/images/degradation.h"
 #include "io/images/image_writer.h"
-#include "io/scene/view_source.h"
 #include "study/time_budget.h"
 
 namespace hogelscope {
@@ -111,20 +109,17 @@ void writeBands(const Pattern& pattern, const LightFieldSize& size, const Degrad
 }
 
 /// Returns the display of a document, whose light field need not exist yet, or of a new session for
-/// a folder, an image or a mesh, with its hogel and direction counts. `inUse` marks the files of
-/// that light field, so that the job does not replace them.
-PanelParams displayToFill(const CommandLine& line, std::optional<FilesInUse>& inUse) {
+/// a folder, an image or a mesh, with its hogel and direction counts; `input` is then that
+/// session's.
+PanelParams displayToFill(const CommandLine& line, std::optional<Input>& input) {
   if (isSessionDocument(line.text("session")))
     return displayOf(loadSession(line.text("session"), line.texts("set")));
-  const Session session = loadSessionOf(line);
-  const auto lightField = openLightField(session.lightField, session.display);
-  inUse.emplace(filesOf(session, *lightField));
-  return resolved(displayOf(session), lightField->size());
+  return input.emplace(loadSessionOf(line)).display();
 }
 
 int runGenerate(const CommandLine& line) {
-  std::optional<FilesInUse> inUse;
-  const PanelParams display = displayToFill(line, inUse);
+  std::optional<Input> input;
+  const PanelParams display = displayToFill(line, input);
   const auto pattern = makePattern(line.subject, display, patternParams(line.jobOverrides));
   Degradation degradation;
   if (line.has("degrade")) degradation = parseDegradation(line.text("degrade"));

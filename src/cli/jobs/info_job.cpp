@@ -15,14 +15,12 @@
 #include "core/panel/sheet_numbers.h"
 #include "io/documents/session_file.h"
 #include "io/documents/sheet_file.h"
-#include "io/files/files_in_use.h"
 #include "io/files/folders.h"
 #include "io/images/image_file.h"
 #include "io/images/image_writer.h"
 #include "io/opening/light_field_order.h"
 #include "io/opening/opening.h"
 #include "io/scene/live_file.h"
-#include "io/scene/view_source.h"
 #include "io/store/light_field_store.h"
 
 namespace hogelscope {
@@ -319,8 +317,7 @@ void writeContactSheet(const CommandLine& line, const OrderedSession& subject,
   if (!isWhole(subject.session))
     throw InputError(line.subject, "display.hogels",
                      "and display.directions are needed for a contact sheet");
-  const auto lightField = openLightField(subject.session.lightField, subject.session.display);
-  const FilesInUse inUse(filesOf(subject.session, *lightField));
+  const Input input(subject.session);
   checkResults(line, subject.session, {file});
   makeFolderOf(file);
   ProgressBar bar("drawing the views", false);

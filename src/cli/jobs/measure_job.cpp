@@ -9,9 +9,6 @@
 #include "cli/jobs.h"
 #include "cli/terminal.h"
 #include "core/base/text.h"
-#include "io/documents/session_file.h"
-#include "io/files/files_in_use.h"
-#include "io/scene/view_source.h"
 #include "measure/measure_page.h"
 #include "measure/measure_run.h"
 
@@ -41,9 +38,7 @@ int runMeasure(const CommandLine& line) {
   MeasureRequest request;
   request.name = line.text("session");
   request.session = loadSelected(line);
-  const auto displayOfRequest = [&] { return displayToMeasure(request.session, {}); };
-  request.display =
-      request.session.display.sheet ? inFile(request.name, displayOfRequest) : displayOfRequest();
+  request.display = displayToMeasure(request.session, {});
   request.output = line.text("output");
   request.shard = shardOf(line);
   const std::filesystem::path folder = request.output;
@@ -57,19 +52,10 @@ int runMeasure(const CommandLine& line) {
     warn("the panel is woven for the lens sheet itself, not for lightField.calibration");
   ProgressBar bar("measuring", isQuiet);
   const Measured measured = measure(request, bar.progress());
-  keepSession(line, request.session);
   bar.done();
-  if (isQuiet) return 0;
-  if (measured.replacedAnother)
-    printNote((folder / "report.journal").string() +
-              ": was of another run that did not finish; begun anew");
-  if (measured.taken > 0)
-    printNote("went on after " + std::to_string(measured.taken) + " figures of an earlier run");
-  if (request.shard) {
-    std::cout << "shard " << textOf(*request.shard)
-              << ": its figures are done; the command without --shard writes the page\n";
-    return 0;
-  }
+  if (!finish(line, request.session)) return 0;
+  printFound(folder, measured.replacedAnother, measured.taken, "figures");
+  if (printShard(request.shard, "figures", "page")) return 0;
   const auto failed = std::ranges::find_if(
       measured.figures, [](const MeasuredFigure& one) { return !one.problem.empty(); });
   if (failed != measured.figures.end())

@@ -10,11 +10,9 @@
 #include "core/base/error.h"
 #include "core/base/text.h"
 #include "io/documents/session_file.h"
-#include "io/files/files_in_use.h"
 #include "io/files/folders.h"
 #include "io/files/random_access_file.h"
 #include "io/files/system_limits.h"
-#include "io/scene/view_source.h"
 #include "io/store/store_writer.h"
 
 namespace hogelscope {
@@ -61,21 +59,21 @@ std::string shapeText(const StoreHeader& header) {
 int packContent(const Session& session, bool isDisplayGiven, const CommandLine& line) {
   const std::string output = line.text("output");
   const bool isQuiet = line.has("quiet");
-  const auto file = openLightField(session.lightField, session.display);
-  const FilesInUse inUse(filesOf(session, *file));
+  const Input input(session);
+  LightFieldFile& file = *input.file;
   checkResults(line, session, {output});
   requireStoreName(output);
-  const std::size_t memory = allowedMemory() / (file->isStream() ? 1 : 2);  // half for the reader
+  const std::size_t memory = allowedMemory() / (file.isStream() ? 1 : 2);  // half for the reader
   const PackPlan plan =
-      planPack(session.lightField, *file,
+      planPack(session.lightField, file,
                isDisplayGiven ? std::optional(session.display) : std::nullopt, memory);
   makeFolderOf(output);
   if (!isQuiet)
     std::cout << shapeText(plan.header) << "; rows in memory " << bytesText(plan.memory)
-              << ", on the disk about " << bytesText(plan.storeBytes) << readingTimeText(*file)
+              << ", on the disk about " << bytesText(plan.storeBytes) << readingTimeText(file)
               << std::endl;
   ProgressBar bar("packing", isQuiet);
-  pack(*file, plan, output, int(line.number("threads").value_or(0)), bar.progress());
+  pack(file, plan, output, int(line.number("threads").value_or(0)), bar.progress());
   bar.done();
   if (!isQuiet)
     std::cout << printable(output) << ": " << bytesText(RandomAccessFile(output).size()) << "\n";

@@ -21,7 +21,6 @@
 #include "core/optics/stereo_image.h"
 #include "io/documents/session_file.h"
 #include "io/files/atomic_file.h"
-#include "io/files/files_in_use.h"
 #include "io/files/folders.h"
 #include "io/files/system_limits.h"
 #include "io/images/image_writer.h"
@@ -295,8 +294,7 @@ int runRender(const CommandLine& line) {
   if (line.has("undistort")) requireUndistortable(line, session);
   const std::optional<StereoMode> stereo = stereoModeOf(line, session);
   if (const auto shard = shardOf(line)) keepShard(session, *shard);
-  // Opened first, so that an invalid file leaves no folder behind.
-  const auto file = openLightField(session.lightField, session.display);
+  const Input input(std::move(session));
   RenderOutput output{line.text("session"),
                       line.text("output"),
                       line.text("format", "png"),
@@ -305,17 +303,17 @@ int runRender(const CommandLine& line) {
                       line.has("ideal"),
                       stereo};
   output.isUndistorting = line.has("undistort");
-  if (output.isIdeal) requireLive(session);
-  const PanelParams display = resolved(displayOf(session), file->size());
-  const Pictures pictures(session, display, int(line.number("focus-stack").value_or(0)), output);
+  if (output.isIdeal) requireLive(input.session);
+  const PanelParams display = input.display();
+  const Pictures pictures(input.session, display, int(line.number("focus-stack").value_or(0)),
+                          output);
   std::vector<fs::path> files = output.allFiles(pictures.all);
   for (const auto& [name, text] : pictures.tables) files.push_back(output.folder / name);
   if (line.has("video")) files.emplace_back(line.text("video"));
-  const FilesInUse inUse(filesOf(session, *file));
-  checkResults(line, session, files);
-  warnOfCuts(*file, session, line);
-  warnOfPupils(display, session, line);
-  ViewSource source = unloadedOf(session, *file, line);
+  checkResults(line, input.session, files);
+  warnOfCuts(*input.file, input.session, line);
+  warnOfPupils(display, input.session, line);
+  ViewSource source = unloadedOf(input.session, *input.file, line);
   if (line.has("video")) {
     makeFolderOf(line.text("video"));
     output.video.emplace(line.text("video"), sizeOf(pictures.all.front(), output),
@@ -323,14 +321,14 @@ int runRender(const CommandLine& line) {
   }
   makeFolder(output.folder);
   const bool isQuiet = line.has("quiet");
-  announceStreaming(*file, allowedMemory(), isQuiet);
+  announceStreaming(*input.file, allowedMemory(), isQuiet);
   ProgressBar bar("rendering", isQuiet);
-  const std::string lines = renderAll(std::move(source), *file, pictures.sessionOf(session),
-                                      pictures.all, output, bar.progress());
+  const std::string lines =
+      renderAll(std::move(source), *input.file, pictures.sessionOf(input.session), pictures.all,
+                output, bar.progress());
   for (const auto& [name, text] : pictures.tables) writeTextFile(output.folder / name, text);
-  keepSession(line, session);
   bar.done();
-  if (!isQuiet)
+  if (finish(line, input.session))
     std::cout << lines << pictures.all.size() + 2 * pictures.undistorted << " picture(s) in "
               << printable(output.folder.string()) << "\n";
   return 0;

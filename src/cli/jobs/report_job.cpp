@@ -2,7 +2,6 @@
 // --report: compares every state's image from the session's light field with that of each test.
 // --rate and --group: the tests of each rate-distortion curve, and their rates.
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <filesystem>
 #include <iostream>
@@ -18,7 +17,6 @@
 #include "core/base/text.h"
 #include "core/optics/eyes.h"
 #include "io/documents/session_file.h"
-#include "io/files/files_in_use.h"
 #include "io/plugins/metric_plugins.h"
 #include "report/page/report_tables.h"
 #include "report/report_facts.h"
@@ -76,16 +74,14 @@ std::vector<TestRate> parseRates(const std::vector<std::string>& texts,
                        "\"" + text + "\" is not FILE=BITS, such as test.jpg=0.5");
     const TestRate rate{text.substr(0, equals), 0};
     const std::string number = text.substr(equals + 1);
-    double value = 0;
-    const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), value);
-    if (error != std::errc() || end != number.data() + number.size() || !(value > 0) ||
-        !std::isfinite(value))
+    const std::optional<double> value = numberOf(number);
+    if (!value || !(*value > 0) || !std::isfinite(*value))
       throw InputError("command line", "--rate",
                        "\"" + number + "\" is not a number of bits above 0");
     refuseUnknown(rate.test, "--rate", tests);
     if (std::ranges::find(rates, rate.test, &TestRate::test) != rates.end())
       throw InputError("command line", "--rate", "gives " + rate.test + " two rates");
-    rates.push_back({rate.test, value});
+    rates.push_back({rate.test, *value});
   }
   return rates;
 }
@@ -218,39 +214,37 @@ int runReport(const CommandLine& line) {
   const FilesInUse inUse(inputsOf(request));
   checkResults(line, session, filesOf(request));
   orderTests(request, {});
-  if (!request.shard) warnOfCuts(*request.file, request.session, line);
-  if (!request.shard)
+  if (!request.shard) {
+    warnOfCuts(*request.file, request.session, line);
     warnOfPupils(resolved(displayOf(session), request.file->size()), session, line);
-  if (!request.shard && !isQuiet)
+    for (const ReportTest& test : request.tests)
+      (void)resolved(displayOf(test.session), test.file->size());
+  }
+  if (!request.shard && !isQuiet) {
     for (ReportTest& test : request.tests) {
       if (test.session.twin.maps == TwinMapFiles{}) continue;
       ViewSource unloaded = unloadedOf(test.session, *test.file, line);
       // Later ones are read again, so that the maps of one test are in memory at a time.
       if (&test == &request.tests.front()) test.unloaded = std::move(unloaded);
     }
-  if (!request.shard && !isQuiet)
     for (const std::string& warning : warningsOf(request)) printNote(warning);
+  }
   announceStreaming(*request.file, request.memory / 2, isQuiet);
   for (const ReportTest& test : request.tests) {
     warnOf(*test.file, test.name, line);
     announceStreaming(*test.file, request.memory / 2, isQuiet);
   }
   const Report report = makeWithProgress(request, line);
-  keepSession(line, session);
+  finish(line, session);
   if (request.shard) {
+    const std::size_t states = request.shard->share(request.session.cameras.size());
     if (!isQuiet)
-      std::cout << "shard " << textOf(*request.shard) << ": its "
-                << request.shard->share(request.session.cameras.size()) * request.tests.size()
-                << " views are done; the command without --shard writes the report\n";
+      printShard(request.shard, std::to_string(states * request.tests.size()) + " views", "report");
     return 0;
   }
   if (!isQuiet) {
     const fs::path folder = line.text("output");
-    if (report.replacedAnother)
-      printNote((folder / "report.journal").string() +
-                ": was of another report that did not finish; begun anew");
-    if (report.taken > 0)
-      printNote("went on after " + std::to_string(report.taken) + " views of an earlier run");
+    printFound(folder, report.replacedAnother, report.taken, "views", "report");
     std::cout << (request.tests.size() == 1
                       ? summaryText(report.summaries.front().summary, report.rows)
                       : testsText(report.summaries))

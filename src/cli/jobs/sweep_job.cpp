@@ -8,40 +8,27 @@
 #include "cli/jobs.h"
 #include "cli/terminal.h"
 #include "core/base/text.h"
-#include "io/documents/session_file.h"
-#include "io/files/files_in_use.h"
 #include "measure/sweep.h"
 
 namespace hogelscope {
 
 int runSweep(const CommandLine& line) {
-  const bool isQuiet = line.has("quiet");
   SweepRequest request;
   request.name = line.text("session");
   request.table = loadSweepTable(line.subject);
-  request.session = loadSelected(line);
-  inFile(line.text("session"), [&] { requireHogels(request.session.display, "a sweep"); });
+  request.session = loadSelected(line, "a sweep");
   inFile(line.subject, [&] { checkFigures(request.table, request.session); });
   request.output = line.text("output");
   request.shard = shardOf(line);
   const std::filesystem::path folder = request.output;
   const FilesInUse inUse(inputsOf(request, {}));
   checkResults(line, request.session, {folder / "sweep.csv", folder / "sweep.html"});
-  ProgressBar bar("measuring designs", isQuiet);
+  ProgressBar bar("measuring designs", line.has("quiet"));
   const Sweep result = inFile(line.subject, [&] { return sweep(request, bar.progress()); });
-  keepSession(line, request.session);
   bar.done();
-  if (isQuiet) return 0;
-  if (result.replacedAnother)
-    printNote((folder / "report.journal").string() +
-              ": was of another run that did not finish; begun anew");
-  if (result.taken > 0)
-    printNote("went on after " + std::to_string(result.taken) + " designs of an earlier run");
-  if (request.shard) {
-    std::cout << "shard " << textOf(*request.shard)
-              << ": its designs are done; the command without --shard writes the page\n";
-    return 0;
-  }
+  if (!finish(line, request.session)) return 0;
+  printFound(folder, result.replacedAnother, result.taken, "designs");
+  if (printShard(request.shard, "designs", "page")) return 0;
   const auto failed =
       std::ranges::count_if(result.rows, [](const SweepRow& row) { return !row.problem.empty(); });
   if (failed > 0)

@@ -12,8 +12,6 @@
 #include "core/base/parallel.h"
 #include "core/base/text.h"
 #include "io/files/atomic_file.h"
-#include "io/files/files_in_use.h"
-#include "io/scene/view_source.h"
 #include "study/tradeoff.h"
 
 namespace hogelscope {
@@ -35,24 +33,21 @@ void printLimits(const std::vector<TradeoffRow>& rows) {
 
 int runTradeoff(const CommandLine& line) {
   const double start = steadySeconds();
-  const Session session = loadSelected(line);
-  inFile(line.text("session"), [&] { requireHogels(session.display, "a trade-off"); });
-  // Opened first, so that an invalid file leaves no folder behind.
-  const auto file = openLightField(session.lightField, session.display);
+  const Input input(loadSelected(line, "a trade-off"));
   const std::filesystem::path folder = line.text("output");
-  const FilesInUse inUse(filesOf(session, *file));
-  checkResults(line, session,
+  checkResults(line, input.session,
                {folder / "tradeoff.csv", folder / "tradeoff.png", folder / "tradeoff.svg"});
   makeFolder(folder);
   ProgressBar bar("measuring", line.has("quiet"));
-  const ViewSource source = loadViewSource(session, part(bar.progress(), 0, 0.05));
+  const ViewSource source =
+      loadViewSource(input.session, *input.file, part(bar.progress(), 0, 0.05));
   std::vector<RenderJob> views;
-  for (const CameraState& state : session.cameras) views.push_back(source.job(state));
+  for (const CameraState& state : input.session.cameras) views.push_back(source.job(state));
   Budget budget;
   budget.seconds = line.number("budget").value_or(budget.seconds) - (steadySeconds() - start);
   const Tradeoff result =
       measureTradeoff(views, budget, parallelRows, part(bar.progress(), 0.05, 1));
-  const Question question = questionOf(session.sampling);
+  const Question question = questionOf(input.session.sampling);
   const OffscreenPainting painting;
   const TradeoffChart chart(result.rows, "Error against " + questionText(question));
   const Paint paint = [&chart](QPainter& painter, const QSizeF& size) {
@@ -62,9 +57,8 @@ int runTradeoff(const CommandLine& line) {
   writeTextFile(folder / "tradeoff.csv", csv(result.rows));
   writeTextFile(folder / "tradeoff.png", pngOf(paint, size));
   writeTextFile(folder / "tradeoff.svg", svgOf(paint, size, "Speed against accuracy"));
-  keepSession(line, session);
   bar.done();
-  if (line.has("quiet")) return 0;
+  if (!finish(line, input.session)) return 0;
   std::cout << "error against " << questionText(question) << " (" << details(question) << "), over "
             << result.errorViews << " of " << views.size()
             << " state(s)\ntime per picture, lens rays included: median of up to " << mostRuns

@@ -10,9 +10,7 @@
 #include "core/panel/twin.h"
 #include "io/documents/twin_file.h"
 #include "io/files/atomic_file.h"
-#include "io/files/files_in_use.h"
 #include "io/files/folders.h"
-#include "io/scene/view_source.h"
 #include "io/twin/twin_maps.h"
 
 namespace hogelscope {
@@ -21,7 +19,7 @@ namespace {
 
 int runMakeTwin(const CommandLine& line) {
   const Session session = loadSessionOf(line);
-  inFile(line.text("session"), [&] { requireHogels(session.display, "a twin"); });
+  requireHogels(session.display, "a twin");
   const std::string name = line.text("session");
   const std::filesystem::path output = line.text("output");
   const std::filesystem::path maps = std::filesystem::path(output).replace_extension(".hogels.exr");
@@ -29,11 +27,10 @@ int runMakeTwin(const CommandLine& line) {
     throw InputError(output.string(), "cannot be written", "a twin's name ends in .json");
   if (session.twin.random.shift.sigma == 0 && session.twin.random.gain.sigma == 0)
     throw InputError(name, "twin.random", "draws nothing: give shift or gain a sigma");
-  const auto file = openLightField(session.lightField, session.display);
-  const FilesInUse inUse(filesOf(session, *file));
+  const Input input(session);
   checkResults(line, session, {output, maps});
-  const PanelParams display = resolved(displayOf(session), file->size());
-  const auto twin = inFile(name, [&] { return twinOf(session.twin, display); });
+  const PanelParams display = input.display();
+  const auto twin = twinOf(session.twin, display);
   TwinParams drawn = session.twin;
   drawn.random = {};
   drawn.maps.hogels = maps.string();
