@@ -26,7 +26,8 @@ Session loadSessionOf(const CommandLine& line);
 struct Input {
   /// Opens the light field: before anything is written, so that an invalid file leaves no folder
   /// behind. Throws InputError.
-  explicit Input(Session read) : Input(read, openLightField(read.lightField, read.display)) {}
+  explicit Input(const Session& read)
+      : Input(read, openLightField(read.lightField, read.display)) {}
   /// `opened` is the light field, or is made of it.
   Input(Session read, std::shared_ptr<LightFieldFile> opened)
       : session(std::move(read)), file(std::move(opened)), inUse(filesOf(session, *file)) {}

@@ -4,8 +4,8 @@
 #include <QTemporaryDir>
 #include <QTest>
 
-#include "cli/help.h"
 #include "cli/command_line.h"
+#include "cli/help.h"
 #include "tests/cli/program.h"
 #include "tests/io/any_images.h"
 #include "tests/io/documents.h"

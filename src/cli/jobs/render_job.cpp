@@ -294,7 +294,7 @@ int runRender(const CommandLine& line) {
   if (line.has("undistort")) requireUndistortable(line, session);
   const std::optional<StereoMode> stereo = stereoModeOf(line, session);
   if (const auto shard = shardOf(line)) keepShard(session, *shard);
-  const Input input(std::move(session));
+  const Input input(session);
   RenderOutput output{line.text("session"),
                       line.text("output"),
                       line.text("format", "png"),

@@ -110,8 +110,6 @@ void TradeoffChartWidget::leaveEvent(QEvent*) {
 TradeoffWidget::TradeoffWidget(QWidget* parent)
     : QWidget(parent), m_ui(std::make_unique<Ui::TradeoffWidget>()), m_task(new Task(this)) {
   m_ui->setupUi(this);
-  m_ui->heading->insertWidget(m_ui->heading->indexOf(m_ui->tradeoffStatus),
-                              new PolledBar(m_task, this), 1);
   m_ui->budgetBox->setValue(int(Budget().seconds));
   m_ui->ownMethodButton->setIcon(icon("reset"));
   QHeaderView* header = m_ui->methodTable->horizontalHeader();
@@ -125,7 +123,12 @@ TradeoffWidget::TradeoffWidget(QWidget* parent)
 TradeoffWidget::~TradeoffWidget() = default;
 
 void TradeoffWidget::connectParts() {
+  // A widget that is shown widens the dock at once if it has no room, so the bar comes after the
+  // button's short text and goes before the status is shown. Slots are called in this order.
   m_ui->measureButton->control(m_task, [this] { measure(); });
+  m_ui->heading->insertWidget(m_ui->heading->indexOf(m_ui->tradeoffStatus),
+                              new PolledBar(m_task, this), 1);
+  connect(m_task, &Task::runningChanged, this, [this] { show(m_question); });
   connect(m_ui->ownMethodButton, &QPushButton::clicked, this, [this] { choose(std::nullopt); });
   connect(m_ui->tradeoffChart, &TradeoffChartWidget::clicked, this,
           [this](std::size_t row) { choose(row); });
@@ -149,7 +152,6 @@ void TradeoffWidget::connectParts() {
   for (const Purpose purpose : purposes)
     connect(m_cards[std::size_t(purpose)], &QPushButton::clicked, this,
             [this, purpose] { choose(recommended(rows(), purpose)); });
-  connect(m_task, &Task::runningChanged, this, &TradeoffWidget::showTask);
   connect(m_task, &Task::failed, this, &TradeoffWidget::failed);
 }
 
@@ -204,6 +206,7 @@ void TradeoffWidget::measure() {
   ask(m_question, views);
   Budget budget;
   budget.seconds = m_ui->budgetBox->value();
+  m_ui->tradeoffStatus->hide();
   m_task->start(
       [this, budget, question = m_question, views = std::move(views)](const Progress& progress) {
         const double start = budget.clock();
@@ -211,7 +214,6 @@ void TradeoffWidget::measure() {
         return [this, question, result = Result{tradeoff.rows, budget.clock() - start}] {
           if (m_ui->measureButton->isEnabled())  // no stop was requested just before the end
             m_results[std::size_t(question)] = result;
-          show(m_question);
         };
       });
 }
