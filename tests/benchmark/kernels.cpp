@@ -37,6 +37,7 @@ struct Rays {
     map.panel.constant = {256, 256, 32, 32};
     map.panel.slope = {-120, 400, -20, 60};
     map.panel.count = {512, 512, 64, 64};
+    map.finder = Finder::design;
     for (std::size_t k = 0; k < batchSize; ++k) {
       x[k] = 0.0013 * double(k) - 0.1;
       y[k] = 0.05 + 0.00001 * double(k);
@@ -72,12 +73,13 @@ void addKernel(const char* name, int perRay, Kernel kernel) {
 
 void addKernels() {
   addKernel("kernel/copy, a row that hits", 1, [](Rays& r) {
-    const RayRow row{r.x.data(), r.y.data(), batchSize, r.rgb.data(), nullptr};
-    copyHits(r.map, r.oneTexel, r.texels.data(), std::span(&row, 1));
+    const RayRow row{r.x.data(),   r.y.data(),    batchSize,
+                     r.rgb.data(), r.seen.data(), {0, batchSize}};
+    copyRays(r.map, r.oneTexel, r.texels.data(), true, std::span(&row, 1));
   });
   addKernel("kernel/copy, any rays", 1, [](Rays& r) {
     const RayRow row{r.x.data(), r.y.data(), batchSize, r.rgb.data(), r.seen.data()};
-    copyRays(r.map, r.oneTexel, r.texels.data(), std::span(&row, 1));
+    copyRays(r.map, r.oneTexel, r.texels.data(), false, std::span(&row, 1));
   });
   addKernel("kernel/cells and the places in them", 1,
             [](Rays& r) { findCells(r.map, r.x.data(), r.y.data(), batchSize, r.cells); });

@@ -105,17 +105,16 @@ QByteArray difference(const RenderJob& job, Counts& counts) {
   constexpr std::uint8_t notWritten = 77;
   std::vector<std::uint8_t> rgb(3 * pixels, notWritten), seen(pixels, notWritten);
   std::vector<std::uint8_t> expected = rgb, expectedSeen = seen;
-  std::vector<RayRow> points;
-  std::vector<LensRow> rows;
+  std::vector<RayRow> points, rows;
   for (int y = 0; y < height; y += std::max(1, height / 300)) {
     const double* xs = view.lens()->x(y, {});
     const double* ys = view.lens()->y(y, {});
     const std::size_t at = std::size_t(y) * std::size_t(width);
     points.push_back({xs, ys, width, &expected[3 * at], &expectedSeen[at]});
     rows.push_back(
-        {{xs, ys, width, &rgb[3 * at], &seen[at]}, LensStrips::inRow(width) * std::size_t(y)});
+        {xs, ys, width, &rgb[3 * at], &seen[at], {}, LensStrips::inRow(width) * std::size_t(y)});
   }
-  copyRays(view.map(0), field.layout(), texels, points);
+  copyRays(view.map(0), field.layout(), texels, false, points);
   copyLensRays(*map, field.layout(), texels, view.lens()->strips(), rows);
   if (seen != expectedSeen || rgb != expected) return "other pixels";
   counts.rays += std::int64_t(rows.size()) * width;

@@ -7,11 +7,15 @@
 
 #include "core/engine/aperture_sum.h"
 #include "core/engine/ray_light.h"
-#include "core/engine/sheet_kernels.h"
-#include "core/engine/twin_kernels.h"
-#include "core/panel/twin.h"
+#include "core/engine/row_kernels.h"
 
 namespace hogelscope {
+
+namespace {
+
+constexpr int mostTogether = 16;  ///< rows
+
+}  // namespace
 
 struct FastSimulation::Scratch {
   IdealBatch ideals{};
@@ -23,26 +27,28 @@ FastSimulation::FastSimulation(const RenderJob& job, LensTables& tables,
                                const ParallelRows& parallelRows, const Progress& progress)
     : m_rays(job, tables, parallelRows, progress),
       m_texels(job.lightField->slice(m_rays.reads(parallelRows), part(m_rays.progress(), 0, 0))),
-      m_filter(m_texels, job, m_rays.plan()) {
+      m_filter(m_texels, job, m_rays.plan()),
+      m_copies((m_rays.plan().copiesTexels || m_rays.plan().copiesPixels) &&
+               (m_rays.lens() != nullptr || !m_rays.plan().hasLens)) {
   if (m_rays.plan().usesStrips) m_fixedMap = FixedMap::of(m_rays.map(0));
 }
 
 void FastSimulation::rows(int y0, int y1, int x0, int x1, std::uint8_t* rgb,
                           std::uint8_t* seen) const {
-  const Plan& plan = m_rays.plan();
-  const bool isPlain = plan.copiesTexels && plan.knowsOutline;
-  const bool hasStrips = m_fixedMap && x0 == 0;
-  const bool isTogether = !m_rays.seesNothing() && (isPlain || hasStrips);
+  const std::size_t width = std::size_t(x1 - x0);
+  const bool copies = m_copies && !m_rays.seesNothing();
+  std::vector<float> sums(copies ? 0 : 3 * width);
   for (int y = y0, end = y0; y < y1; y = end) {
     throwIfCancelled(m_rays.progress());
-    end = isTogether ? std::min(y + mostTogether, y1) : y + 1;
-    const std::ptrdiff_t first = std::ptrdiff_t(y - y0) * (x1 - x0);
-    if (!isTogether)
-      row(y, x0, x1, rgb + 3 * first, seen + first);
-    else if (isPlain)
-      copyPlainRows(y, end, x0, x1, rgb + 3 * first, seen + first);
-    else
-      copyLensRows(y, end, x1, rgb + 3 * first, seen + first);
+    end = copies ? std::min(y + mostTogether, y1) : y + 1;
+    std::uint8_t* const to = rgb + 3 * width * std::size_t(y - y0);
+    std::uint8_t* const mask = seen + width * std::size_t(y - y0);
+    if (copies) {
+      copyRows(y, end, x0, x1, to, mask);
+    } else {
+      rows(y, end, x0, x1, sums.data(), mask);
+      quantise(sums.data(), int(sums.size()), to);
+    }
   }
 }
 
@@ -55,113 +61,51 @@ void FastSimulation::rows(int y0, int y1, int x0, int x1, float* rgb, std::uint8
   for (int y = y0; y < y1; ++y, rgb += 3 * width, seen += width) sumRow(y, x0, x1, rgb, seen);
 }
 
-void FastSimulation::row(int y, int x0, int x1, std::uint8_t* rgb, std::uint8_t* seen) const {
-  const auto count = std::size_t(x1 - x0);
-  std::memset(rgb, 0, 3 * count);
-  std::memset(seen, 0, count);
-  if (m_rays.seesNothing()) return;
-  const Plan& plan = m_rays.plan();
-  const bool hasRays = m_rays.lens() != nullptr || !plan.hasLens;
-  if (plan.copiesTexels && m_rays.lens() != nullptr && plan.hasLinearHogels && !plan.movesRays)
-    return copyTableRow(y, x0, x1, rgb, seen);
-  if (plan.copiesTexels && plan.isSimpleTwin && hasRays) return copyTwinRow(y, x0, x1, rgb, seen);
-  if (plan.copiesPixels && hasRays) return copySheetRow(y, x0, x1, rgb, seen);
-  std::vector<float> sums(3 * count);
-  sumRow(y, x0, x1, sums.data(), seen);
-  quantise(sums.data(), int(sums.size()), rgb);
-}
-
-void FastSimulation::copyPlainRows(int y0, int y1, int x0, int x1, std::uint8_t* rgb,
-                                   std::uint8_t* seen) const {
-  std::array<double, mostTogether> ys;
-  std::array<RayRow, mostTogether> rows;
+void FastSimulation::copyRows(int y0, int y1, int x0, int x1, std::uint8_t* rgb,
+                              std::uint8_t* seen) const {
+  const HitMap& map = m_rays.map(0);
+  const BlockLayout& layout = m_texels->layout();
+  const auto* texels = std::get<TexelArray<std::uint8_t>>(m_texels->texels()).data();
   const int width = x1 - x0;
+  std::array<RayRow, mostTogether> rows;
+  const auto made = std::span(rows).first(std::size_t(y1 - y0));
+  if (const LensTable* lens = m_rays.lens(); lens != nullptr) {
+    const RaySample& sample = m_rays.samplesFrom(0).front();
+    const std::size_t strips = LensStrips::inRow(m_rays.job().state.camera.res[0]);
+    for (int y = y0; y < y1; ++y, rgb += 3 * width, seen += width)
+      made[std::size_t(y - y0)] = {
+          lens->x(y, sample) + x0, lens->y(y, sample) + x0, width, rgb, seen, {},
+          strips * std::size_t(y)};
+    if (m_fixedMap && x0 == 0)
+      return copyLensRays(*m_fixedMap, layout, texels, lens->strips(), made);
+    return copyRays(map, layout, texels, false, made);
+  }
+  std::array<double, mostTogether> ys;
   for (int y = y0; y < y1; ++y, rgb += 3 * width, seen += width) {
     const auto row = std::size_t(y - y0);
-    const auto [begin, end] = m_rays.seenPart(y, x0, x1);
-    const int left = begin - x0;
-    const int hits = end - begin;
-    const int right = width - left - hits;
-    std::memset(rgb, 0, std::size_t(3 * left));
-    std::memset(rgb + 3 * (left + hits), 0, std::size_t(3 * right));
-    std::memset(seen, 0, std::size_t(left));
-    std::memset(seen + left, 255, std::size_t(hits));
-    std::memset(seen + left + hits, 0, std::size_t(right));
+    const auto [begin, from, to, end] = m_rays.seenParts(y, x0, x1);
+    const auto blacken = [&](int first, int last) {
+      std::memset(rgb + 3 * (first - x0), 0, std::size_t(3 * (last - first)));
+      std::memset(seen + first - x0, 0, std::size_t(last - first));
+    };
+    blacken(x0, begin);
+    blacken(end, x1);
     ys[row] = m_rays.plainY(y);
-    rows[row] = {m_rays.plainX(begin), &ys[row], hits, rgb + 3 * left, nullptr};
+    made[row] = {m_rays.plainX(begin),   &ys[row],          end - begin,
+                 rgb + 3 * (begin - x0), seen + begin - x0, {from - begin, to - begin}};
   }
-  copyHits(m_rays.map(0), m_texels->layout(), byteTexels(),
-           std::span(rows).first(std::size_t(y1 - y0)));
-}
-
-void FastSimulation::copyLensRows(int y0, int y1, int width, std::uint8_t* rgb,
-                                  std::uint8_t* seen) const {
-  const LensTable& lens = *m_rays.lens();
-  const RaySample& sample = m_rays.samplesFrom(0).front();
-  const std::size_t inRow = LensStrips::inRow(m_rays.job().state.camera.res[0]);
-  std::array<LensRow, mostTogether> rows;
-  for (int y = y0; y < y1; ++y, rgb += 3 * width, seen += width)
-    rows[std::size_t(y - y0)] = {{lens.x(y, sample), lens.y(y, sample), width, rgb, seen},
-                                 inRow * std::size_t(y)};
-  copyLensRays(*m_fixedMap, m_texels->layout(), byteTexels(), lens.strips(),
-               std::span(rows).first(std::size_t(y1 - y0)));
-}
-
-void FastSimulation::copyTableRow(int y, int x0, int x1, std::uint8_t* rgb,
-                                  std::uint8_t* seen) const {
-  const LensTable& lens = *m_rays.lens();
-  const RaySample& sample = m_rays.samplesFrom(0).front();
-  const RayRow row{lens.x(y, sample) + x0, lens.y(y, sample) + x0, x1 - x0, rgb, seen};
-  copyRays(m_rays.map(0), m_texels->layout(), byteTexels(), std::span(&row, 1));
-}
-
-void FastSimulation::copyTwinRow(int y, int x0, int x1, std::uint8_t* rgb,
-                                 std::uint8_t* seen) const {
-  const HitMap& map = m_rays.map(0);
-  const auto copy = [&](const double* xs, const double* ys) {
-    copyTwinRays(map, m_texels->layout(), byteTexels(), xs, ys, x1 - x0, rgb, seen);
-  };
-  if (const LensTable* lens = m_rays.lens(); lens != nullptr) {
-    const RaySample& sample = m_rays.samplesFrom(0).front();
-    return copy(lens->x(y, sample) + x0, lens->y(y, sample) + x0);
-  }
-  if (!map.panel.twin->isAffine()) {
-    const std::vector<double> plainY(std::size_t(x1 - x0), m_rays.plainY(y));
-    return copy(m_rays.plainX(x0), plainY.data());
-  }
-  const std::array<int, 4> parts = m_rays.twinParts(y, x0, x1);
-  const std::ptrdiff_t from = parts[0] - x0;
-  if (parts[0] < parts[3])
-    hogelscope::copyTwinRow(map, m_texels->layout(), byteTexels(), m_rays.plainX(parts[0]),
-                            m_rays.plainY(y), parts, rgb + 3 * from, seen + from);
-}
-
-void FastSimulation::copySheetRow(int y, int x0, int x1, std::uint8_t* rgb,
-                                  std::uint8_t* seen) const {
-  const HitMap& map = m_rays.map(0);
-  if (const LensTable* lens = m_rays.lens(); lens != nullptr) {
-    const RaySample& sample = m_rays.samplesFrom(0).front();
-    return copySheetRays(map, m_texels->layout(), byteTexels(), lens->x(y, sample) + x0,
-                         lens->y(y, sample) + x0, x1 - x0, rgb, seen);
-  }
-  hogelscope::copySheetRow(map, m_texels->layout(), byteTexels(), m_rays.plainX(x0),
-                           m_rays.plainY(y), x1 - x0, rgb, seen);
-}
-
-const Texel<std::uint8_t>* FastSimulation::byteTexels() const {
-  return std::get<TexelArray<std::uint8_t>>(m_texels->texels()).data();
+  copyRays(map, layout, texels, true, made);
 }
 
 void FastSimulation::sumRow(int y, int x0, int x1, float* rgb, std::uint8_t* seen) const {
   if (!m_rays.plan().aperture.isPinhole)
     return ApertureSum(m_rays, *m_texels, m_filter).row(y, x0, x1, rgb, seen);
-  const auto [begin, end] =
-      m_rays.plan().knowsOutline ? m_rays.seenPart(y, x0, x1) : std::array{x0, x1};
+  const std::array<int, 4> parts = m_rays.seenParts(y, x0, x1);
   const auto scratch = std::make_unique<Scratch>();
   const RayLight light(m_rays, m_filter);
   const float share = 1 / static_cast<float>(m_rays.samplesFrom(0).size());
-  for (int first = begin; first < end; first += batchSize) {
-    const int count = std::min(batchSize, end - first);
+  for (int first = parts[0]; first < parts[3]; first += batchSize) {
+    const int count = std::min(batchSize, parts[3] - first);
     for (const RaySample& sample : m_rays.samplesFrom(0)) {
       m_rays.ideals(y, first, count, sample, scratch->ideals);
       if (!light.find(scratch->ideals, count, 0, scratch->rays, scratch->sum)) continue;

@@ -34,20 +34,14 @@ class FastSimulation {
 
  private:
   struct Scratch;
-  static constexpr int mostTogether = 16;  ///< rows
 
-  [[nodiscard]] const Texel<std::uint8_t>* byteTexels() const;
-  void row(int y, int x0, int x1, std::uint8_t* rgb, std::uint8_t* seen) const;
-  void copyTableRow(int y, int x0, int x1, std::uint8_t* rgb, std::uint8_t* seen) const;
-  void copySheetRow(int y, int x0, int x1, std::uint8_t* rgb, std::uint8_t* seen) const;
-  void copyTwinRow(int y, int x0, int x1, std::uint8_t* rgb, std::uint8_t* seen) const;
-  void copyPlainRows(int y0, int y1, int x0, int x1, std::uint8_t* rgb, std::uint8_t* seen) const;
-  void copyLensRows(int y0, int y1, int width, std::uint8_t* rgb, std::uint8_t* seen) const;
+  void copyRows(int y0, int y1, int x0, int x1, std::uint8_t* rgb, std::uint8_t* seen) const;
   void sumRow(int y, int x0, int x1, float* rgb, std::uint8_t* seen) const;
 
   ViewRays m_rays;
   std::shared_ptr<const LightField> m_texels;
   TexelFilter m_filter;
+  bool m_copies;                       ///< pixels are texels, or sub-pixels
   std::optional<FixedMap> m_fixedMap;  ///< of a lens whose texels are copied
 };
 

@@ -183,25 +183,35 @@ inline __attribute__((always_inline)) void prepare(const FixedMap& map, const Le
   }
 }
 
-/// Finds the addresses of those rays of a strip that are in doubt, from the points themselves. A
-/// ray whose units past its cells' borders are all more than twice the doubt is not.
+/// Finds the addresses of `count` rays of a strip, from the one numbered `first` on, from their
+/// points themselves, which begin at (x, y) for the strip.
+void findByPoints(const FixedMap& m, const BlockLayout& l, const double* x, const double* y,
+                  int first, int count, AddressStrip<1>& strip) {
+  CellBatch exact;
+  findCells(m.map, x + first, y + first, count, exact);
+  const auto& [i, j, u, v] = exact.cell;
+  for (std::size_t k = 0; k < std::size_t(count); ++k) {
+    const std::size_t to = std::size_t(first) + k;
+    strip.address[0][to] =
+        l.i.inBlocks(i[k]) + l.j.inBlocks(j[k]) + l.u.inBlocks(u[k]) + l.v.inBlocks(v[k]);
+    strip.seen[to] = exact.seen[k] != 0 ? ~0U : 0;
+  }
+}
+
+/// Does so for the rays that are in doubt. A ray whose units past its cells' borders are all more
+/// than twice the doubt is not.
 void findDoubtful(const FixedMap& m, const BlockLayout& l,
                   const std::array<Strip<std::int32_t>, 4>& index,
                   const std::array<std::uint32_t, 2>& doubt, const double* x, const double* y,
-                  int count, AddressStrip& strip) {
+                  int count, AddressStrip<1>& strip) {
   const std::uint32_t inCell = (1U << m.shift) - 1;
   for (int ray = 0; ray < count; ++ray) {
-    const auto k = std::size_t(ray);
     const auto isClear = [&](std::size_t axis) {
-      return (static_cast<std::uint32_t>(index[axis][k]) & inCell) > 2 * doubt[axis / 2];
+      return (static_cast<std::uint32_t>(index[axis][std::size_t(ray)]) & inCell) >
+             2 * doubt[axis / 2];
     };
-    if (isClear(0) && isClear(1) && isClear(2) && isClear(3)) continue;
-    CellBatch exact;
-    findCells(m.map, x + ray, y + ray, 1, exact);
-    const auto& [i, j, u, v] = exact.cell;
-    strip.address[k] =
-        l.i.inBlocks(i[0]) + l.j.inBlocks(j[0]) + l.u.inBlocks(u[0]) + l.v.inBlocks(v[0]);
-    strip.seen[k] = exact.seen[0] != 0 ? ~0U : 0;
+    if (!(isClear(0) && isClear(1) && isClear(2) && isClear(3)))
+      findByPoints(m, l, x, y, ray, 1, strip);
   }
 }
 
@@ -209,7 +219,7 @@ void findDoubtful(const FixedMap& m, const BlockLayout& l,
 template <StripHits hits>
 inline __attribute__((always_inline)) void findByPolynomials(
     const FixedMap& m, const BlockLayout& l, const StripMaps& strips, std::size_t own,
-    const double* x, const double* y, int count, AddressStrip& strip) {
+    const double* x, const double* y, int count, AddressStrip<1>& strip) {
   std::array<float, LensStrips::terms> ofI;
   std::array<float, LensStrips::terms> ofJ;
   for (std::size_t power = 1; power < LensStrips::terms; ++power) {
@@ -248,8 +258,8 @@ inline __attribute__((always_inline)) void findByPolynomials(
       seen &= units < end[axis] ? ~0U : 0;
       cell[axis] = units >> m.shift;
     }
-    strip.address[k] = l.i.inBlocks(cell[0]) + l.j.inBlocks(cell[1]) + l.u.inBlocks(cell[2]) +
-                       l.v.inBlocks(cell[3]);
+    strip.address[0][k] = l.i.inBlocks(cell[0]) + l.j.inBlocks(cell[1]) + l.u.inBlocks(cell[2]) +
+                          l.v.inBlocks(cell[3]);
     pastHogel = std::min(pastHogel, std::min(past[0], past[1]));
     pastDirection = std::min(pastDirection, std::min(past[2], past[3]));
     if (hits == StripHits::some) strip.seen[k] = seen;
@@ -263,11 +273,11 @@ inline __attribute__((always_inline)) void findByPolynomials(
 
 MULTIVERSIONED
 void copyLensRays(const FixedMap& map, const BlockLayout& layout, const Texel<std::uint8_t>* texels,
-                  const LensStrips* strips, std::span<const LensRow> rows) {
+                  const LensStrips* strips, std::span<const RayRow> rows) {
   StripMaps maps;
   const LensStrips* prepared = nullptr;
   const BlockLayout l = layout;
-  const auto find = [&](const LensRow& row, int first, int many, AddressStrip& addresses)
+  const auto find = [&](const RayRow& row, int first, int many, AddressStrip<1>& addresses)
       __attribute__((always_inline)) {
     const std::size_t strip = row.strip + std::size_t(first / stripSize);
     const std::size_t own = strip % LensStrips::count;
@@ -284,13 +294,12 @@ void copyLensRays(const FixedMap& map, const BlockLayout& layout, const Texel<st
     if (maps.isKnown[own] != 0) {
       findByPolynomials<StripHits::some>(map, l, maps, own, x, y, many, addresses);
     } else {
-      CellStrip cells;
-      findStripCells(map.map, x, y, many, cells);
-      findAddresses(l, cells, addresses);
+      addresses.seen.fill(0);
+      findByPoints(map, l, x, y, 0, many, addresses);
     }
     return StripHits::some;
   };
-  copyStrips(find, layout, texels, rows);
+  copyStrips<1>(find, layout, texels, rows);
 }
 
 }  // namespace hogelscope

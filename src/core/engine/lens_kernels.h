@@ -32,13 +32,8 @@ struct FixedMap {
   double mostDoubt = 0;  ///< units; beyond, too many strips would have a ray in doubt
 };
 
-/// A row of an image through a lens, from its first pixel on.
-struct LensRow : RayRow {
-  std::size_t strip;  ///< the number of its first strip in the image
-};
-
-/// Copies the texels of rows as copyRays() does; `strips` are the image's.
+/// Copies the texels of whole rows as copyRays() does; `strips` are the image's.
 void copyLensRays(const FixedMap& map, const BlockLayout& layout, const Texel<std::uint8_t>* texels,
-                  const LensStrips* strips, std::span<const LensRow> rows);
+                  const LensStrips* strips, std::span<const RayRow> rows);
 
 }  // namespace hogelscope

@@ -71,8 +71,6 @@ Plan plan(const RenderJob& job, const Display& display) {
   plan.isBehind = isBehind(plan.aperture, job.state, display);
   const DisplayTraits& traits = display.traits();
   plan.movesRays = traits.movesRays;
-  plan.isSimpleTwin = traits.movesRays && job.twin && traits.hasDirections &&
-                      job.twin->hasKernel() && !job.method.isSingle && isPinhole;
   plan.splitsColours = traits.splitsColours;
   plan.changesLight = traits.changesLight;
   plan.drivesTexels = traits.drivesTexels;

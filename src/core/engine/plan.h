@@ -25,7 +25,6 @@ struct Plan {
   int psfReach = 0;           ///< taps on each side: (windowSize - 1) / 2, or fewer
   bool sumsTexels = false;    ///< the light from one point of the aperture is of several texels
   bool sumsLinear = false;    ///< light is decoded before it is summed
-  bool isSimpleTwin = false;  ///< a twin that copyTwinRays() knows
   bool copiesTexels = false;  ///< each pixel is one stored texel of 8 bits, in memory
   bool usesStrips = false;    ///< cells are found from polynomials of the lens's strips
 };

@@ -9,7 +9,8 @@ namespace hogelscope {
 
 RayLight::RayLight(const ViewRays& rays, const TexelFilter& filter)
     : m_rays(rays), m_filter(filter) {
-  if (const LensSheet* sheet = rays.map(0).panel.sheet; sheet != nullptr) m_spot = sheet->spot();
+  if (const LensSheet* sheet = rays.map(0).panel.display->sheet(); sheet != nullptr)
+    m_spot = sheet->spot();
   if (rays.plan().leaksOverField) m_leakage.emplace(*rays.job().twin, rays.job().state.psf);
 }
 

@@ -5,128 +5,141 @@
 #include <algorithm>
 
 #include "core/base/multiversioned.h"
-#include "core/engine/ray_strips.h"
-#include "core/engine/sheet_kernels.h"
-#include "core/engine/twin_kernels.h"
+#include "core/engine/sheet_finder.h"
+#include "core/engine/unit_finders.h"
 
 namespace hogelscope {
 
 namespace {
 
-/// Finds the cells of a strip. The indices have a loop, and the cells of
-/// each axis have one: a processor overlaps the iterations of short loops better than those of one
-/// long loop.
-template <Rays rays, class Real>
-inline __attribute__((always_inline)) void findStrip(const RealMap<Real>& m, const double* x,
-                                                     const double* y, CellStrip& strip) {
-  std::array<Strip<Real>, 4> index;
-  for (std::size_t k = 0; k < stripSize; ++k) {
-    const RealHit<Real> h =
-        hitOf(m, static_cast<Real>(x[k]), static_cast<Real>(y[rays == Rays::any ? k : 0]));
-    const bool seen = rays == Rays::hits || isSeen(m, h);
-    index[0][k] = seen ? h.i : 0;
-    index[1][k] = seen ? h.j : 0;
-    index[2][k] = seen ? h.u : 0;
-    index[3][k] = seen ? h.v : 0;
-    strip.seen[k] = seen ? ~0U : 0;
-  }
-  for (std::size_t axis = 0; axis < 4; ++axis) {
-    const auto last = static_cast<std::uint32_t>(m.count[axis]) - 1;
-    for (std::size_t k = 0; k < stripSize; ++k) {
-      const std::uint32_t cell = cellOf(index[axis][k]);
-      strip.cell[axis][k] = rays == Rays::hits ? std::min(cell, last) : cell;
-    }
-  }
-}
-
-template <Rays rays, class Real>
-inline __attribute__((always_inline)) void copyDesign(const HitMap& map, const BlockLayout& layout,
-                                                      const Texel<std::uint8_t>* texels,
-                                                      std::span<const RayRow> rows) {
-  const RealMap<Real> m(map);
-  const auto find = [m](const double* stripX, const double* stripY, CellStrip& strip)
-      __attribute__((always_inline)) {
-    findStrip<rays>(m, stripX, stripY, strip);
-  };
-  copyTexels<rays>(find, layout, texels, rows);
-}
-
+/// A design with linear hogel lenses.
 template <class Real>
-inline __attribute__((always_inline)) void cellsIn(const HitMap& map, const double* x,
-                                                   const double* y, int count, CellBatch& batch) {
-  const RealMap<Real> m(map);
-  IndexBatch<Real> found;
-  for (std::size_t k = 0; k < std::size_t(count); ++k)
-    keep(m, hitOf(m, static_cast<Real>(x[k]), static_cast<Real>(y[k])), k, found);
-  split(found, count, batch);
-}
+struct DesignFinder : RealMap<Real> {
+  static constexpr StripHits rowHits = StripHits::all;
 
-MULTIVERSIONED
-void linearCells(const HitMap& map, const double* x, const double* y, int count, CellBatch& batch) {
-  if (map.isSingle)
-    cellsIn<float>(map, x, y, count, batch);
+  using RealMap<Real>::RealMap;
+
+  [[nodiscard]] __attribute__((always_inline)) RealHit<Real> hit(double x, double y) const {
+    const RealMap<Real>& m = *this;
+    const RealSlopes<Real> s = slopesOf(m, static_cast<Real>(x), static_cast<Real>(y));
+    return {m.constant[0] + m.slope[0] * s.a, m.constant[1] + m.slope[1] * s.b,
+            m.constant[2] + m.slope[2] * s.a, m.constant[3] + m.slope[3] * s.b, s.isToward};
+  }
+};
+
+/// A design with other lenses, whose map's u and v are the slopes that they take.
+template <class Real>
+struct CurvedFinder : DesignFinder<Real> {
+  static constexpr StripHits rowHits = StripHits::none;
+
+  explicit CurvedFinder(const HitMap& m)
+      : DesignFinder<Real>(m), across(&m.panel.display->lens(0)), down(&m.panel.display->lens(1)) {}
+
+  [[nodiscard]] RealHit<Real> hit(double x, double y) const {
+    const auto directionOf = [](const HogelLens* lens, Real ofRay) {
+      return static_cast<Real>(lens->directionOf(static_cast<double>(ofRay)));
+    };
+    constexpr auto half = static_cast<Real>(0.5);
+    RealHit<Real> h = DesignFinder<Real>::hit(x, y);
+    h.u = this->count[2] * (half + directionOf(across, h.u));
+    h.v = this->count[3] * (half - directionOf(down, h.v));
+    return h;
+  }
+
+  const HogelLens* across;
+  const HogelLens* down;
+};
+
+/// Any display, as it says itself.
+struct AnyFinder : RealMap<double> {
+  AnyFinder(const HitMap& m, std::size_t ofChannel)
+      : RealMap<double>(m), display(m.panel.display), eye(m.panel.eye), channel(ofChannel) {}
+
+  [[nodiscard]] RealHit<double> hit(double x, double y) const {
+    const auto along = [&](std::size_t c) { return x * right[c] + y * down[c] + forward[c]; };
+    const std::optional<Hit> met =
+        display->intersectPlane(eye, {along(0), along(1), along(2)}, channel);
+    const auto [i, j, u, v] = met.value_or(Hit{});
+    return {i, j, u, v, met.has_value()};
+  }
+
+  const Display* display;
+  Vec3 eye;
+  std::size_t channel;
+};
+
+template <class Use>
+inline __attribute__((always_inline)) void withAffine(const HitMap& map, const Use& use) {
+  const Twin& twin = *map.panel.display->twin();
+  const bool hasMoves = !twin.hogelMoves().empty();
+  if (twin.movesHits())
+    hasMoves ? use(AffineFinder<true, true>(map)) : use(AffineFinder<false, true>(map));
   else
-    cellsIn<double>(map, x, y, count, batch);
+    hasMoves ? use(AffineFinder<true, false>(map)) : use(AffineFinder<false, false>(map));
 }
 
-template <class Real>
-void curvedCells(const HitMap& map, const double* x, const double* y, int count, CellBatch& batch) {
-  const RealMap<Real> m(map);
-  const auto [across, down] = map.panel.lenses;
-  const auto directionOf = [](const HogelLens* lens, Real slope) {
-    return static_cast<Real>(lens->directionOf(static_cast<double>(slope)));
-  };
-  constexpr auto half = static_cast<Real>(0.5);
-  IndexBatch<Real> found;
-  for (std::size_t k = 0; k < std::size_t(count); ++k) {
-    RealHit<Real> h = hitOf(m, static_cast<Real>(x[k]), static_cast<Real>(y[k]));
-    h.u = m.count[2] * (half + directionOf(across, h.u));
-    h.v = m.count[3] * (half - directionOf(down, h.v));
-    keep(m, h, k, found);
-  }
-  split(found, count, batch);
+template <class Use>
+inline __attribute__((always_inline)) void withSheet(const HitMap& map, std::size_t channel,
+                                                     const Use& use) {
+  const CellPattern& pattern = map.panel.display->sheet()->pattern();
+  if (pattern.mask == 0)
+    use(SheetFinder<1>(map, channel));
+  else if (pattern.mask == 1 && pattern.ofRow == 0)
+    use(SheetFinder<2>(map, channel));
+  else
+    use(SheetFinder<4>(map, channel));
 }
+
+/// Calls `use` with the finder of one colour of a map.
+template <class Use>
+inline __attribute__((always_inline)) void withFinder(const HitMap& map, std::size_t channel,
+                                                      const Use& use) {
+  switch (map.finder) {
+    case Finder::design:
+      return map.isSingle ? use(DesignFinder<float>(map)) : use(DesignFinder<double>(map));
+    case Finder::curved:
+      return map.isSingle ? use(CurvedFinder<float>(map)) : use(CurvedFinder<double>(map));
+    case Finder::unit:
+      return map.panel.display->twin()->hogels().empty() ? use(UnitFinder<false>(map, channel))
+                                                         : use(UnitFinder<true>(map, channel));
+    case Finder::affine:
+      return withAffine(map, use);
+    case Finder::sheet:
+      return withSheet(map, channel, use);
+    case Finder::any:
+      return use(AnyFinder(map, channel));
+  }
+}
+
 }  // namespace
 
-MULTIVERSIONED
-void copyHits(const HitMap& map, const BlockLayout& layout, const Texel<std::uint8_t>* texels,
-              std::span<const RayRow> rows) {
-  if (map.isSingle)
-    copyDesign<Rays::hits, float>(map, layout, texels, rows);
-  else
-    copyDesign<Rays::hits, double>(map, layout, texels, rows);
+Finder finderOf(const Display& display) {
+  if (display.sheet() != nullptr) return Finder::sheet;
+  if (const Twin* twin = display.twin(); twin != nullptr)
+    return !twin->hasKernel() ? Finder::any : twin->isAffine() ? Finder::affine : Finder::unit;
+  if (display.traits().movesRays) return Finder::any;
+  return display.lens(0).isLinear() && display.lens(1).isLinear() ? Finder::design : Finder::curved;
 }
 
 MULTIVERSIONED
 void copyRays(const HitMap& map, const BlockLayout& layout, const Texel<std::uint8_t>* texels,
-              std::span<const RayRow> rows) {
-  if (map.isSingle)
-    copyDesign<Rays::any, float>(map, layout, texels, rows);
-  else
-    copyDesign<Rays::any, double>(map, layout, texels, rows);
+              bool isPlain, std::span<const RayRow> rows) {
+  withFinder(
+      map, greenChannel, [&](const auto& finder) __attribute__((always_inline)) {
+        if (isPlain)
+          copyRows<Rays::row>(finder, layout, texels, rows);
+        else
+          copyRows<Rays::any>(finder, layout, texels, rows);
+      });
 }
 
 MULTIVERSIONED
-void findStripCells(const HitMap& map, const double* x, const double* y, int count,
-                    CellStrip& strip) {
-  Strip<double> paddedX;
-  Strip<double> paddedY;
-  padStrip<Rays::any>(x, y, count, paddedX, paddedY);
-  findStrip<Rays::any>(RealMap<double>(map), x, y, strip);
-}
-
 void findCells(const HitMap& map, const double* x, const double* y, int count, CellBatch& batch,
                std::size_t channel) {
-  if (map.panel.sheet != nullptr)
-    findSheetCells(map, x, y, count, channel, batch);
-  else if (map.panel.twin != nullptr)
-    findTwinCells(map, x, y, count, channel, batch);
-  else if (map.panel.lenses[0] == nullptr)
-    linearCells(map, x, y, count, batch);
-  else if (map.isSingle)
-    curvedCells<float>(map, x, y, count, batch);
-  else
-    curvedCells<double>(map, x, y, count, batch);
+  withFinder(
+      map, channel, [&](const auto& finder) __attribute__((always_inline)) {
+        cellsOf(finder, x, y, count, batch);
+      });
 }
 
 bool fillUnseen(int count, CellBatch& batch) {

@@ -19,6 +19,7 @@ HitMap hitMapOf(const RigidTransform& displayFromCamera, const Display& display)
   map.down = list(displayFromCamera.yAxis);
   map.forward = list(displayFromCamera.zAxis);
   map.panel = display.mapFrom(displayFromCamera.origin);
+  map.finder = finderOf(display);
   return map;
 }
 
@@ -29,16 +30,6 @@ ApertureMiddle middleOf(const RigidTransform& displayFromCamera, const Display& 
   for (std::size_t axis = 0; axis < 4; ++axis)
     middle.perMetre[axis] = beside.constant[axis] - middle.map.panel.constant[axis];
   return middle;
-}
-
-/// Returns the part of [low, high] where constant + slope·x ≥ 0.
-void clip(double constant, double slope, std::array<double, 2>& part) {
-  if (slope > 0)
-    part[0] = std::max(part[0], -constant / slope);
-  else if (slope < 0)
-    part[1] = std::min(part[1], -constant / slope);
-  else if (constant < 0)
-    part = {1, 0};
 }
 
 /// The numbers of cells on each side of a ray's cell that the ray may also read.
@@ -110,96 +101,36 @@ ViewRays::ViewRays(const RenderJob& job, LensTables& tables, const ParallelRows&
     m_lens = tables.get(key, parallelRows, m_progress);
   }
   if (!m_lens) m_rays.emplace(m_lensKey, m_progress);
+  if (m_plan.hasLens || seesNothing() || m_samples.size() > 1) return;
+  if (Outline outline(m_maps.front()); outline.isKnown()) m_outline = std::move(outline);
 }
 
-/// Returns the columns of a row whose rays hit, for a plain lens: each condition of a hit is linear
-/// in x once it is multiplied by the direction's z.
-std::array<int, 2> ViewRays::seenPart(int y, int x0, int x1) const {
-  const HitMap& map = m_maps.front();
+std::array<int, 4> ViewRays::seenParts(int y, int x0, int x1) const {
+  if (!m_outline) return {x0, x1, x1, x1};
   const double py = plainY(y);
-  const auto at = [&](std::size_t c) { return map.down[c] * py + map.forward[c]; };
-  std::array<double, 2> part{m_x[std::size_t(x0)], m_x[std::size_t(x1 - 1)]};
-  clip(-at(2), -map.right[2], part);
-  for (std::size_t axis = 0; axis < 4; ++axis) {
-    const std::size_t c = axis % 2;
-    for (const auto& [border, sign] : {std::pair{0, -1.0}, std::pair{map.panel.count[axis], 1.0}}) {
-      const double constant = map.panel.constant[axis] - border;
-      clip(sign * (constant * at(2) + map.panel.slope[axis] * at(c)),
-           sign * (constant * map.right[2] + map.panel.slope[axis] * map.right[c]), part);
-    }
-  }
-  if (!(part[0] <= part[1])) return {x0, x0};
-  const auto column = [&](double x) { return x * m_lensKey.focalLength.x + m_lensKey.centre.x; };
-  int first = std::max(x0, static_cast<int>(std::ceil(column(part[0]))) - 1);
-  int last = std::min(x1, static_cast<int>(std::floor(column(part[1]))) + 2);
-  // The ends are decided by the ray itself, not by the rounding of the division above.
-  const auto isUnseen = [&](int x) {
-    CellBatch batch;
-    findCells(map, plainX(x), &py, 1, batch);
-    return batch.seen[0] == 0;
-  };
-  while (first < last && isUnseen(first)) ++first;
-  while (first < last && isUnseen(last - 1)) --last;
-  return {first, last};
-}
-
-/// As in seenPart() each condition is linear in x. u and v also depend on the whole hogel, which is
-/// within half a hogel of i − 1/2, on its own move and on the map of directions: their sums are a
-/// margin.
-std::array<int, 4> ViewRays::twinParts(int y, int x0, int x1) const {
-  const HitMap& map = m_maps.front();
-  const Twin& twin = *map.panel.twin;
-  const AffineHits& hits = map.panel.affine;
-  const double py = plainY(y);
-  const auto rowAt = [&](std::size_t c) { return map.down[c] * py + map.forward[c]; };
-  std::array<double, 2> some{m_x[std::size_t(x0)], m_x[std::size_t(x1 - 1)]};
-  std::array<double, 2> all = some;
-  const auto bound = [&](const std::array<double, 3>& index, double count, double margin) {
-    const auto keep = [&](double sign, double border, std::array<double, 2>& part) {
-      const double constant = sign * (index[0] - border);
-      // Times z, which is below 0.
-      clip(-(constant * rowAt(2) + sign * (index[1] * rowAt(0) + index[2] * rowAt(1))),
-           -(constant * map.right[2] + sign * (index[1] * map.right[0] + index[2] * map.right[1])),
-           part);
-    };
-    keep(1, -margin, some);
-    keep(-1, count + margin, some);
-    keep(1, margin, all);
-    keep(-1, count - margin, all);
-  };
-  clip(-rowAt(2), -map.right[2], some);
-  clip(-rowAt(2), -map.right[2], all);
-  constexpr double rounding = 1e-6;
-  for (std::size_t axis = 0; axis < 2; ++axis) {
-    bound(hits.place[axis], map.panel.count[axis], rounding);
-    const auto& [constant, slope, along, across] = hits.direction[axis];
-    const auto& own = hits.place[axis];
-    const auto& other = hits.place[1 - axis];
-    std::array<double, 3> index{constant + along * (own[0] - 0.5) + across * (other[0] - 0.5),
-                                along * own[1] + across * other[1],
-                                along * own[2] + across * other[2]};
-    index[1 + axis] += slope;
-    bound(index, map.panel.count[axis + 2],
-          (std::abs(along) + std::abs(across)) / 2 + twin.largestMoves()[axis] +
-              twin.directionTable().largest()[axis] + rounding);
-  }
+  const RowPart row{*plainX(x0), *plainX(x1 - 1)};
   const auto column = [&](double x) { return x * m_lensKey.focalLength.x + m_lensKey.centre.x; };
   const auto within = [&](double at) { return int(std::clamp(at, double(x0), double(x1))); };
-  std::array<int, 4> parts{x0, x0, x0, x0};
-  if (some[0] <= some[1]) {
-    parts[0] = within(std::ceil(column(some[0])) - 1);
-    parts[3] = within(std::floor(column(some[1])) + 2);
-    parts[1] = parts[2] = parts[3];
+  const RowPart some = m_outline->mayHit(py, row);
+  if (!(some[0] <= some[1])) return {x0, x0, x0, x0};
+  int first = within(std::ceil(column(some[0])) - 1);
+  int last = within(std::floor(column(some[1])) + 2);
+  if (m_plan.knowsOutline) {
+    // The ends are decided by the rays themselves, not by the rounding of the outline.
+    const auto isUnseen = [&](int x) {
+      CellBatch batch;
+      findCells(m_maps.front(), plainX(x), &py, 1, batch);
+      return batch.seen[0] == 0;
+    };
+    while (first < last && isUnseen(first)) ++first;
+    while (first < last && isUnseen(last - 1)) --last;
+    return {first, first, last, last};
   }
-  if (some[0] <= some[1] && all[0] <= all[1]) {
-    const int first = within(std::ceil(column(all[0])) + 1);
-    const int last = within(std::floor(column(all[1])));
-    if (parts[0] <= first && first < last && last <= parts[3]) {
-      parts[1] = first;
-      parts[2] = last;
-    }
-  }
-  return parts;
+  const RowPart all = m_outline->hits(py, row);
+  const int from = all[0] <= all[1] ? within(std::ceil(column(all[0])) + 1) : last;
+  const int to = within(std::floor(column(all[1])));
+  if (first <= from && from < to && to <= last) return {first, from, to, last};
+  return {first, last, last, last};
 }
 
 std::int64_t ViewRays::count() const {
@@ -208,8 +139,8 @@ std::int64_t ViewRays::count() const {
   if (!m_plan.knowsOutline) return std::int64_t(m_samples.size()) * width * height;
   std::int64_t seen = 0;
   for (int y = 0; y < height; ++y) {
-    const auto [first, last] = seenPart(y, 0, width);
-    seen += last - first;
+    const std::array<int, 4> parts = seenParts(y, 0, width);
+    seen += parts[3] - parts[0];
   }
   return seen;
 }

@@ -12,6 +12,7 @@
 
 #include "core/base/parallel.h"
 #include "core/base/progress.h"
+#include "core/engine/outline.h"
 #include "core/engine/plan.h"
 #include "core/engine/row_kernels.h"
 #include "core/lens/lens_table.h"
@@ -57,6 +58,8 @@ class ViewRays {
   /// as Simulation does, and Cancelled, as all functions that cast rays do.
   ViewRays(const RenderJob& job, LensTables& tables, const ParallelRows& parallelRows,
            const Progress& progress = {});
+  ViewRays(const ViewRays&) = delete;  // the maps refer to its display
+  ViewRays& operator=(const ViewRays&) = delete;
 
   [[nodiscard]] const RenderJob& job() const { return m_job; }
   [[nodiscard]] const Plan& plan() const { return m_plan; }
@@ -90,12 +93,9 @@ class ViewRays {
 
   /// Returns the number of rays of the image: all, or those that hit if the outline is known.
   [[nodiscard]] std::int64_t count() const;
-  /// Returns the columns [first, last) of [x0, x1) whose rays hit, if the outline is known.
-  [[nodiscard]] std::array<int, 2> seenPart(int y, int x0, int x1) const;
-
-  /// Returns four columns of [x0, x1), ascending, for a plain lens and a twin with an affine map:
-  /// no ray before the first and from the last on hits, all between the middle two do.
-  [[nodiscard]] std::array<int, 4> twinParts(int y, int x0, int x1) const;
+  /// Returns four columns of [x0, x1), ascending: no ray before the first and from the last on
+  /// hits, all between the middle two do. These are the outer two if the plan knows the outline.
+  [[nodiscard]] std::array<int, 4> seenParts(int y, int x0, int x1) const;
 
   /// Finds the cells that one ray of each of the pixels [x0, x0 + count) of row y meets; at most a
   /// batch. Thread-safe, as lines() is.
@@ -134,6 +134,7 @@ class ViewRays {
   std::vector<HitMap> m_maps;  ///< for each point of the aperture
   std::vector<Vec3> m_eyes;    ///< the same
   ApertureMiddle m_middle;
+  std::optional<Outline> m_outline;  ///< if it is known, and columns are places on the image plane
   std::shared_ptr<const LensTable> m_lens;
   std::optional<LensRays> m_rays;  ///< if they are not kept in a table
   std::vector<double> m_x;         ///< ideal x of each pixel column, plain lens

@@ -103,15 +103,13 @@ PanelMap Display::mapFrom(const Vec3& eye) const {
   const double turned = 1 - m_convergence * eye.z;
   PanelMap map;
   map.count = {nx, ny, du, dv};
+  map.display = this;
   map.eye = eye;
   if (m_kind) m_kind->complete(map);
   map.constant = {(eye.x / panel[0] + 0.5) * nx, (0.5 - eye.y / panel[1]) * ny,
                   m_convergence * eye.x, m_convergence * eye.y};
   map.slope = {-eye.z / panel[0] * nx, eye.z / panel[1] * ny, turned, turned};
-  if (!lens(0).isLinear() || !lens(1).isLinear()) {
-    map.lenses = {m_lenses[0].get(), m_lenses[1].get()};
-    return map;
-  }
+  if (!lens(0).isLinear() || !lens(1).isLinear()) return map;
   const double across = du / lens(0).slopeOf(1);
   const double down = dv / lens(1).slopeOf(1);
   map.constant[2] = 0.5 * du + across * map.constant[2];

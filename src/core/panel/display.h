@@ -101,7 +101,8 @@ class DisplayKind {
   [[nodiscard]] virtual std::optional<PanelRay> rayOf(const TexelIndex& /*at*/) const {
     return std::nullopt;
   }
-  /// Returns the lens sheet whose figures are measured; null for other kinds.
+  // For kernels and figures of these kinds alone; null for others.
+  [[nodiscard]] virtual const Twin* twin() const { return nullptr; }  ///< one that moves rays
   [[nodiscard]] virtual const LensSheet* sheet() const { return nullptr; }
   /// Adds to a map of rays what the kernels of this kind need.
   virtual void complete(PanelMap& /*map*/) const {}
@@ -126,6 +127,7 @@ class Display {
   [[nodiscard]] const LightFieldSize& size() const { return m_size; }
   [[nodiscard]] const RigidTransform& displayFromWorld() const { return m_displayFromWorld; }
   [[nodiscard]] const DisplayTraits& traits() const { return m_traits; }
+  [[nodiscard]] const Twin* twin() const { return m_kind ? m_kind->twin() : nullptr; }
   [[nodiscard]] const LensSheet* sheet() const { return m_kind ? m_kind->sheet() : nullptr; }
   /// Throws InputError if the display cannot show content of this size.
   void checkContent(const LightFieldSize& size) const;

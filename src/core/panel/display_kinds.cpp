@@ -28,7 +28,6 @@ class SheetKind final : public DisplayKind {
     return met ? std::optional(Hit{met->column, met->row, 0.5, 0.5}) : std::nullopt;
   }
   [[nodiscard]] const LensSheet* sheet() const override { return &m_sheet; }
-  void complete(PanelMap& map) const override { map.sheet = &m_sheet; }
   void checkContent(const LightFieldSize& size) const override {
     const auto [width, height] = m_sheet.calibration().params.panel;
     if (size != LightFieldSize{width, height, 1, 1})

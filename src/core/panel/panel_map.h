@@ -5,12 +5,10 @@
 #include <array>
 
 #include "core/base/geometry.h"
-#include "core/panel/hogel_lens.h"
 
 namespace hogelscope {
 
-class LensSheet;
-class Twin;
+class Display;
 
 /// Gives what rays of slopes a, b from one eye meet of an affine twin (Twin::isAffine), before its
 /// hogels' moves and its map of directions.
@@ -24,18 +22,14 @@ struct AffineHits {
 
 /// Gives the real-valued hogel (i, j) and direction (u, v) that a ray from one eye meets, from its
 /// slopes a = dx/dz and b = dy/dz in the display frame: `constant` + `slope`·a for i and u, ·b for
-/// j and v (docs/formulas.md, Hit). The display that made the map must outlive it.
+/// j and v (docs/formulas.md, Hit). Where the hogels' lenses are not linear, u and v are the slopes
+/// that the lenses take; of a twin that is not affine, and of a lens sheet, only `count` is of use.
+/// The display that made the map must outlive it.
 struct PanelMap {
   std::array<double, 4> constant{};  ///< i, j, u, v at slope 0
   std::array<double, 4> slope{};
   std::array<int, 4> count{};  ///< cells of each axis
-  /// The hogels' lenses across and down, where they are not linear: u and v of the map are then the
-  /// slopes that the lenses take. Null where they are linear.
-  std::array<const HogelLens*, 2> lenses{};
-  /// The unit that rays meet instead, in the same way as Twin::meet(); null: the design.
-  const Twin* twin = nullptr;
-  /// The sheet that rays meet instead (LensSheet::meet); null: none.
-  const LensSheet* sheet = nullptr;
+  const Display* display = nullptr;
   Vec3 eye;             ///< in the display frame, metres
   AffineHits affine{};  ///< of a twin that is affine
 };

@@ -48,9 +48,7 @@ Twin::Twin(TwinParams params, TwinMaps maps, const PanelParams& design, const Pr
 }
 
 void Twin::complete(PanelMap& map) const {
-  if (!m_traits.movesRays) return;
-  map.twin = this;
-  if (isAffine()) map.affine = affineHits(map.eye);
+  if (m_traits.movesRays && isAffine()) map.affine = affineHits(map.eye);
 }
 
 void Twin::checkContent(const LightFieldSize& size) const {

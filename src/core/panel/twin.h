@@ -68,6 +68,7 @@ class Twin final : public DisplayKind {
   [[nodiscard]] static double bytesFor(const TwinParams& params, const PanelParams& design);
   [[nodiscard]] const TwinParams& params() const { return m_params; }
   [[nodiscard]] const DisplayTraits& traits() const override { return m_traits; }
+  [[nodiscard]] const Twin* twin() const override { return m_traits.movesRays ? this : nullptr; }
   void complete(PanelMap& map) const override;
   void checkContent(const LightFieldSize& size) const override;
 
