@@ -21,8 +21,8 @@ struct Flag {
   std::string_view name;
   std::string_view value = {};    ///< "" if the option has no value
   std::string_view heading = {};  ///< of --help, if it begins with this option
-  /// Of a job's own option: the one that it follows in --help; if it is not given, the one before
-  /// it in the job's list.
+  /// The option that a job's own one follows in --help; if it is not given, the one before it in
+  /// the job's list.
   std::string_view after = {};
   std::string_view unless = {};                ///< an option that replaces a missing one
   bool isInput = false;                        ///< its value is a file that the job reads

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What --pack and --export pack share.
+// The function that --pack and --export pack share.
 #pragma once
 
 #include "cli/command_line.h"

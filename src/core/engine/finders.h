@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What finds the cells that rays meet, and the loops over rays that all of them share. A finder has
+// Finders say which cells rays meet; the loops over rays stand here once for all. A finder has
 //
 //     Number      the arithmetic's precision
 //     colours     1, or 3 if red, green and blue of a ray meet texels of their own

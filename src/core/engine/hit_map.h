@@ -12,7 +12,7 @@ namespace hogelscope {
 /// The number of rays in a batch, small enough for the first-level cache.
 constexpr int batchSize = 128;
 
-/// What finds the cells of a map's rays: `any` asks the display, one ray after another, the others
+/// Names the finder of a map's cells: `any` asks the display, one ray after another, the others
 /// work out what it would say, many at once. Of a unit (Twin::hasKernel) and of an affine one
 /// (Twin::isAffine) the lenses are linear, as a design's are; a curved design's are not.
 enum class Finder { any, design, curved, unit, affine, sheet };

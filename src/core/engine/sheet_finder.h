@@ -61,8 +61,8 @@ struct SheetFinder {
     std::copy(m.panel.count.begin(), m.panel.count.end(), count.begin());
   }
 
-  /// What a ray would meet through real-valued lenses: the lens, and where it ends behind lens 0,
-  /// px; `isOn` is true if it can end on the panel.
+  /// Tells what a ray would meet through real-valued lenses: the lens, and where it ends behind
+  /// lens 0, px; `isOn` is true if it can end on the panel.
   struct Met {
     double lens, right, up;
     bool isOn;

@@ -25,7 +25,7 @@ struct UnitFinder : RealMap<double> {
         perPitch{1 / array.pitch[0], 1 / array.pitch[1]},
         perField{1 / array.field[0], 1 / array.field[1]} {}
 
-  /// As Twin::meet().
+  /// Returns the same as Twin::meet().
   [[nodiscard]] __attribute__((always_inline)) RealHit<double> hit(double rayX, double rayY) const {
     const auto [a, b, isToward] = slopesOf(*this, rayX, rayY);
     const double x = eye.x - eye.z * a;
@@ -68,7 +68,8 @@ struct UnitFinder : RealMap<double> {
   const HogelErrors* hogels;
   double scale;
   Vec3 eye;
-  /// How far a lens is from its tile, and what that grows by for each hogel to the right, and down.
+  /// These tell how far a lens is from its tile, and what that grows by for each hogel to the
+  /// right, and down.
   std::array<double, 2> off, offI, offJ;
   std::array<double, 2> perPitch, perField;
 };
@@ -98,8 +99,8 @@ struct AffineFinder : RealMap<double> {
     }
   }
 
-  /// What a ray meets before its hogel's move and the map of directions; `isMet` is true if that is
-  /// the panel, in or out of the field.
+  /// Tells what a ray meets before its hogel's move and the map of directions; `isMet` is true if
+  /// that is the panel, in or out of the field.
   struct Met : RealHit<double> {
     std::int32_t column;
     std::int32_t row;
