@@ -66,7 +66,7 @@ void FastSimulation::copyRows(int y0, int y1, int x0, int x1, std::uint8_t* rgb,
   const HitMap& map = m_rays.map(0);
   const BlockLayout& layout = m_texels->layout();
   const auto* texels = std::get<TexelArray<std::uint8_t>>(m_texels->texels()).data();
-  const int width = x1 - x0;
+  const std::ptrdiff_t width = x1 - x0;
   std::array<RayRow, mostTogether> rows;
   const auto made = std::span(rows).first(std::size_t(y1 - y0));
   if (const LensTable* lens = m_rays.lens(); lens != nullptr) {
@@ -74,7 +74,7 @@ void FastSimulation::copyRows(int y0, int y1, int x0, int x1, std::uint8_t* rgb,
     const std::size_t strips = LensStrips::inRow(m_rays.job().state.camera.res[0]);
     for (int y = y0; y < y1; ++y, rgb += 3 * width, seen += width)
       made[std::size_t(y - y0)] = {
-          lens->x(y, sample) + x0, lens->y(y, sample) + x0, width, rgb, seen, {},
+          lens->x(y, sample) + x0, lens->y(y, sample) + x0, x1 - x0, rgb, seen, {},
           strips * std::size_t(y)};
     if (m_fixedMap && x0 == 0)
       return copyLensRays(*m_fixedMap, layout, texels, lens->strips(), made);
@@ -84,15 +84,16 @@ void FastSimulation::copyRows(int y0, int y1, int x0, int x1, std::uint8_t* rgb,
   for (int y = y0; y < y1; ++y, rgb += 3 * width, seen += width) {
     const auto row = std::size_t(y - y0);
     const auto [begin, from, to, end] = m_rays.seenParts(y, x0, x1);
+    const auto at = [&](int x) { return std::ptrdiff_t(x - x0); };
     const auto blacken = [&](int first, int last) {
-      std::memset(rgb + 3 * (first - x0), 0, std::size_t(3 * (last - first)));
-      std::memset(seen + first - x0, 0, std::size_t(last - first));
+      std::fill(rgb + 3 * at(first), rgb + 3 * at(last), std::uint8_t{0});
+      std::fill(seen + at(first), seen + at(last), std::uint8_t{0});
     };
     blacken(x0, begin);
     blacken(end, x1);
     ys[row] = m_rays.plainY(y);
-    made[row] = {m_rays.plainX(begin),   &ys[row],          end - begin,
-                 rgb + 3 * (begin - x0), seen + begin - x0, {from - begin, to - begin}};
+    made[row] = {m_rays.plainX(begin), &ys[row],         end - begin,
+                 rgb + 3 * at(begin),  seen + at(begin), {from - begin, to - begin}};
   }
   copyRays(map, layout, texels, true, made);
 }

@@ -119,7 +119,7 @@ inline __attribute__((always_inline)) void copyStrips(const Find& find, const Bl
       w.count = std::min(stripSize, row.count - first);
       const StripHits hits = find(row, first, w.count, w.strip);
       if (hits == StripHits::none) {
-        std::memset(w.rgb, 0, std::size_t(3 * w.count));
+        std::memset(w.rgb, 0, 3 * std::size_t(w.count));
         std::memset(row.seen + first, 0, std::size_t(w.count));
         continue;
       }
