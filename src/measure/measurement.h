@@ -36,7 +36,7 @@ struct Measurement {
   double up = 0;
 };
 
-/// What a sweep measures a figure with.
+/// Tells what a sweep measures a figure with.
 enum class SweptWith { nothing, bench, views, clock };
 
 /// A figure and its readers. Its value for a display as a whole is that of the first measurement
@@ -72,7 +72,7 @@ void addPhotometry(const Bench& bench, std::vector<Measurement>& all);
 void addLensSheet(const Bench& bench, double ipd, std::vector<Measurement>& all);
 void addGratings(const Bench& bench, double pupil, std::vector<Measurement>& all);
 
-/// What is seen from a place of an eye or of a head.
+/// A figure of what is seen from a place of an eye or of a head.
 struct EyeFigure {
   std::function<double(Bench& bench, const Vec3& eye)> simulate;
   std::function<double(const Vec3& eye)> closedForm;

@@ -67,8 +67,8 @@ struct Hit {
 
 class Twin;
 
-/// What a kind of display, or one unit of it, does to rays and light: data, to be asked in place of
-/// the kind.
+/// Tells what a kind of display, or one unit of it, does to rays and light: data, to be asked in
+/// place of the kind.
 struct DisplayTraits {
   bool hasDirections = true;      ///< hogels of several directions; otherwise of one pixel
   bool movesRays = false;         ///< rays meet other pixels than the lattice's
