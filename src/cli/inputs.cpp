@@ -7,7 +7,6 @@
 #include <charconv>
 #include <cmath>
 
-#include "campaign/state_images.h"
 #include "cli/jobs.h"
 #include "cli/terminal.h"
 #include "core/base/error.h"
@@ -16,6 +15,7 @@
 #include "io/documents/twin_file.h"
 #include "io/files/folders.h"
 #include "io/opening/opening.h"
+#include "runs/state_images.h"
 
 namespace hogelscope {
 

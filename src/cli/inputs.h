@@ -18,8 +18,8 @@
 namespace hogelscope {
 
 /// The session that --session names, or a new one around a folder, a picture or a mesh, with --set,
-/// and with --calibration if the job has it. What its pictures say against the order of its views
-/// goes to stderr. Throws InputError, or Cancelled.
+/// and with --calibration if the job has it. Contradictions between its pictures and the order of
+/// its views are printed to stderr. Throws InputError, or Cancelled.
 Session loadSessionOf(const CommandLine& line);
 
 /// A job's session and its light field; no result replaces one of their files while it lives.

@@ -6,9 +6,9 @@
 #include <cstdio>
 #include <iostream>
 
-#include "campaign/journal.h"
 #include "cli/stop_signals.h"
 #include "core/base/text.h"
+#include "runs/journal.h"
 
 namespace hogelscope {
 

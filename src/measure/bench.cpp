@@ -103,7 +103,7 @@ PanelParams onBench(PanelParams display) {
 
 /// Returns what the engine knows of a display: of a lens sheet's panel, one direction.
 PanelParams shownBy(PanelParams display) {
-  if (display.sheet) display.directions = {1, 1};
+  if (!hasDirections(display)) display.directions = {1, 1};
   return display;
 }
 

@@ -49,7 +49,7 @@ class Bench {
   [[nodiscard]] double distance() const { return m_eye.z; }
   [[nodiscard]] const PsfParams& psf() const { return m_psf; }
   [[nodiscard]] const PupilParams& pupil() const { return m_pupil; }
-  /// Null for a display of hogels, whose functions about hogels and directions are not for sheets.
+  /// Null for hogels. Functions on hogels and directions must not be called for a lens sheet.
   [[nodiscard]] const LensSheet* sheet() const { return m_panel.sheet(); }
   /// Returns what the lens sheet shows to the eye; not for hogels.
   [[nodiscard]] SheetNumbers numbersOfSheet() const {

@@ -21,9 +21,9 @@ struct PixelDepths {
 };
 
 /// Returns the depth of the first content that the eye's ray through each pixel's middle meets,
-/// lens included; NaN where it meets none, or where views do not tell. Of a light field that is not
-/// live it is the depth that the direction under which the eye sees the panel's centre shows at the
-/// hogel of the pixel. Throws InputError as Renderer::render() and depthsByDisparity(), Cancelled.
+/// lens included; NaN where it meets none, or where views do not tell. For stored views it is the
+/// depth at the pixel's hogel, in the direction from which the eye sees the panel's centre. Throws
+/// InputError as Renderer::render() and depthsByDisparity(), Cancelled.
 PixelDepths depthsOf(const RenderJob& job, LensTables& tables, const Progress& progress);
 
 /// The figures of a state's content. Shares are of the pixels whose depth is known.

@@ -29,7 +29,7 @@ double depthScale(const Bench& bench, std::size_t axis) {
 
 /// Whether directions alone limit depths, so that ±p/s are exact.
 bool hasEvenSteps(const Bench& bench) {
-  return bench.sheet() == nullptr && bench.display().viewingDistance == notGiven;
+  return hasDirections(bench.display()) && bench.display().viewingDistance == notGiven;
 }
 
 double nyquist(const Bench& bench, std::size_t axis) {
@@ -84,7 +84,8 @@ void addSpatialResolution(const Bench& bench, std::size_t axis, std::vector<Meas
     if (z < 0.9 * bench.distance())
       addResolution(bench, axis, "contrast 0.5 z=" + metres(z), z, all);
   // Along the lenses, where all views have the same height.
-  if (bench.sheet() != nullptr) addResolution(bench, 1, "up the panel, contrast 0.5 z=0 m", 0, all);
+  if (!hasDirections(bench.display()))
+    addResolution(bench, 1, "up the panel, contrast 0.5 z=0 m", 0, all);
 }
 
 /// The depths behind the panel at which the contrast of the hogels' finest grating falls to a part
@@ -208,7 +209,7 @@ void addGratings(const Bench& bench, double pupil, std::vector<Measurement>& all
     addDepthLimits(bench, axis, all);
   }
   addThroughFocus(bench, axis, pupil, all);
-  if (bench.sheet() == nullptr) addDiffraction(bench, axis, all);
+  if (hasDirections(bench.display())) addDiffraction(bench, axis, all);
 }
 
 }  // namespace hogelscope

@@ -46,8 +46,8 @@ Spot middleOf(const Bench& bench) {
           -perSlope(bench)};
 }
 
-/// Calls `use` with the view 0 … N that an eye sees at each point of a spot in green, and with that
-/// of the place at which its ray crosses the viewing distance, which goes on beyond the cone.
+/// Calls `use` with the view 0 … N that an eye sees at each point of a spot in green, and with the
+/// view at the place where its ray crosses the viewing distance, counted on beyond the cone.
 template <class Use>
 void forViews(const Bench& bench, const Vec3& eye, const Spot& spot, const Use& use) {
   constexpr std::size_t green = 1;

@@ -3,7 +3,6 @@
 
 #include <cmath>
 
-#include "campaign/campaign.h"
 #include "core/base/error.h"
 #include "core/base/parallel.h"
 #include "core/base/text.h"
@@ -14,6 +13,7 @@
 #include "io/files/files_in_use.h"
 #include "io/scene/view_source.h"
 #include "measure/measure_page.h"
+#include "runs/long_run.h"
 
 namespace hogelscope {
 
@@ -74,7 +74,7 @@ Measured measure(const MeasureRequest& request, const Progress& progress) {
   const FilesInUse inUse(files);
   const std::vector<Measurement> all = measurementsOf(request.session, bench);
   std::vector<Bench> benches(std::size_t(threadCount()), bench);
-  Campaign campaign = runCampaign(
+  LongRun run = longRun(
       {request.output, keyOf(request, files, progress), all.size(), 1, request.shard},
       threadCount(),
       [&](std::size_t item, std::size_t worker, const Progress& hear) -> std::vector<double> {
@@ -83,16 +83,15 @@ Measured measure(const MeasureRequest& request, const Progress& progress) {
         return {all[item].simulate(benches[worker])};
       },
       progress);
-  Measured result{{}, campaign.taken, campaign.replacedAnother};
+  Measured result{{}, run.taken, run.replacedAnother};
   if (request.shard) return result;
   for (std::size_t item = 0; item < all.size(); ++item)
-    result.figures.push_back(
-        {all[item], campaign.rows[item].values.front(), campaign.rows[item].problem});
+    result.figures.push_back({all[item], run.rows[item].values.front(), run.rows[item].problem});
   if (request.output.empty()) return result;
   writeFigures(request.output, plotsOf(bench, result.figures));
   writeTextFile(request.output / "measure.html", measurePage(request, bench, result.figures));
   writeTextFile(request.output / "measure.csv", csv(result.figures));
-  campaign.journal->remove();
+  run.journal->remove();
   return result;
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The figures of a display: what each is of, how it is simulated, and its closed form. Procedures
 // and formulas are in docs/formulas.md, Measures of a display. --measure runs the whole list as a
-// campaign, a sweep takes single figures of it for each design, the window the maps alone; nothing
+// run, a sweep takes single figures of it for each design, the window the maps alone; nothing
 // here knows how a view is rendered.
 #pragma once
 

@@ -6,8 +6,6 @@
 #include <cmath>
 #include <functional>
 
-#include "campaign/campaign.h"
-#include "campaign/file_hashes.h"
 #include "core/base/error.h"
 #include "core/base/parallel.h"
 #include "core/base/text.h"
@@ -23,6 +21,8 @@
 #include "measure/design_files.h"
 #include "measure/measure_run.h"
 #include "page/figure.h"
+#include "runs/file_hashes.h"
+#include "runs/long_run.h"
 
 namespace hogelscope {
 
@@ -142,14 +142,14 @@ class DesignFigures {
 };
 
 /// Measures all designs that `designOf` makes, on `base` where figures need another one.
-Campaign measureDesigns(const CampaignRequest& request, const Session& base,
-                        const std::vector<std::string>& figures,
-                        const std::function<Session(std::size_t)>& designOf,
-                        const Progress& progress) {
+LongRun measureDesigns(const LongRunRequest& request, const Session& base,
+                       const std::vector<std::string>& figures,
+                       const std::function<Session(std::size_t)>& designOf,
+                       const Progress& progress) {
   // Views use all threads themselves; a time is that of a view alone.
   const bool hasViews = std::ranges::any_of(figures, needsViews);
   std::optional<Views> reference;
-  return runCampaign(
+  return longRun(
       request, hasViews ? 1 : threadCount(),
       [&](std::size_t item, std::size_t, const Progress& hear) {
         const Session design = designOf(item);
@@ -229,7 +229,7 @@ Sweep sweep(const SweepRequest& request, const Progress& progress) {
   checkParameters(request, designs.front());
   const std::vector<std::filesystem::path> files = inputsOf(request, progress);
   const FilesInUse inUse(files);
-  const Campaign campaign = measureDesigns(
+  const LongRun run = measureDesigns(
       {request.output, keyOf(request, designs, files, part(progress, 0, 0.02)), designs.size(),
        request.table.figures.size(), request.shard},
       asDesigned(request.session), request.table.figures,
@@ -237,11 +237,11 @@ Sweep sweep(const SweepRequest& request, const Progress& progress) {
         return overridden(request.session, overridesOf(request.table, designs[item]));
       },
       part(progress, 0.02, 1));
-  Sweep result{{}, campaign.taken, campaign.replacedAnother};
+  Sweep result{{}, run.taken, run.replacedAnother};
   if (request.shard) return result;
   for (std::size_t item = 0; item < designs.size(); ++item)
     result.rows.push_back(
-        {designs[item], campaign.rows[item].values, false, campaign.rows[item].problem, false});
+        {designs[item], run.rows[item].values, false, run.rows[item].problem, false});
   markPareto(request.table, result.rows);
   markPassing(request.table, result.rows);
   if (request.output.empty()) return result;
@@ -252,7 +252,7 @@ Sweep sweep(const SweepRequest& request, const Progress& progress) {
   writeFigures(request.output, figures);
   writeTextFile(request.output / "sweep.html", sweepPage(request, result.rows));
   writeTextFile(request.output / "sweep.csv", points);
-  campaign.journal->remove();
+  run.journal->remove();
   FileHashes(request.output).remove();
   return result;
 }
@@ -261,11 +261,11 @@ std::vector<SweepRow> measureDesigns(const std::vector<Session>& designs,
                                      const std::vector<std::string>& figures,
                                      const Progress& progress) {
   requireHogels(designs.front().display, "a sweep");
-  const Campaign campaign = measureDesigns(
+  const LongRun run = measureDesigns(
       {"", "", designs.size(), figures.size(), {}}, designs.front(), figures,
       [&](std::size_t item) { return designs[item]; }, progress);
   std::vector<SweepRow> rows;
-  for (const JournalEntry& row : campaign.rows)
+  for (const JournalEntry& row : run.rows)
     rows.push_back({{}, row.values, false, row.problem, false});
   return rows;
 }

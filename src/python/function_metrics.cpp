@@ -9,11 +9,11 @@
 #include <optional>
 #include <string_view>
 
-#include "campaign/journal.h"
 #include "core/base/error.h"
 #include "core/base/text.h"
 #include "io/files/atomic_file.h"
 #include "report/view_pairs.h"
+#include "runs/journal.h"
 
 namespace hogelscope {
 

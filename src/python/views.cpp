@@ -5,7 +5,6 @@
 
 #include <algorithm>
 
-#include "campaign/state_images.h"
 #include "core/base/error.h"
 #include "core/cameras/focus_stack.h"
 #include "core/engine/renderer.h"
@@ -18,6 +17,7 @@
 #include "python/content.h"
 #include "python/pictures.h"
 #include "python/stoppable.h"
+#include "runs/state_images.h"
 
 namespace hogelscope {
 

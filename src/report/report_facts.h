@@ -2,9 +2,9 @@
 // Facts about a report's inputs for its page, and the key that identifies unfinished work.
 #pragma once
 
-#include "campaign/file_hashes.h"
 #include "report/page/report_page.h"
 #include "report/report_request.h"
+#include "runs/file_hashes.h"
 
 namespace hogelscope {
 

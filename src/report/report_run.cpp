@@ -8,7 +8,6 @@
 #include <new>
 #include <set>
 
-#include "campaign/journal.h"
 #include "core/base/parallel.h"
 #include "core/base/progress.h"
 #include "core/base/text.h"
@@ -22,6 +21,7 @@
 #include "report/report_files.h"
 #include "report/report_moves.h"
 #include "report/view_pairs.h"
+#include "runs/journal.h"
 
 namespace hogelscope {
 
@@ -80,7 +80,7 @@ class ReportRun {
   StepProgress m_progress;
   FileHashes m_hashes;
   ReportFacts m_facts;
-  CampaignRows m_rows;
+  RunRows m_rows;
   std::vector<std::unique_ptr<PanelProjection>> m_projections;  ///< of each test
   std::size_t m_workers;
   ViewPairs m_pairs;

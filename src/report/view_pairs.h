@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
-#include "campaign/state_images.h"
 #include "core/engine/ray_moves.h"
 #include "core/optics/viewing.h"
 #include "report/report_request.h"
+#include "runs/state_images.h"
 
 namespace hogelscope {
 

@@ -7,7 +7,6 @@
 #include <iterator>
 #include <utility>
 
-#include "campaign/state_images.h"
 #include "cli/explain.h"
 #include "cli/inputs.h"
 #include "cli/jobs.h"
@@ -25,6 +24,7 @@
 #include "io/files/system_limits.h"
 #include "io/images/image_writer.h"
 #include "io/images/video_writer.h"
+#include "runs/state_images.h"
 #include "study/undistortion.h"
 
 namespace hogelscope {
@@ -359,9 +359,11 @@ Job renderJob() {
             .help = "In place of what the display shows: what the eye would see of the session's "
                     "live scene itself through the panel."},
            {.name = "undistort",
-            .help = "Of each state with a distortion also DIR/<name>.undistorted.png, its view "
-                    "without the lens, <name>.undistorted-opencv.png, its picture straightened by "
-                    "OpenCV, and <name>.undistortion.png, the difference of the two."},
+            .help =
+                "Also writes, for each state with a distortion, DIR/<name>.undistorted.png, its "
+                "view without the lens, <name>.undistorted-opencv.png, its picture "
+                "straightened by OpenCV, and <name>.undistortion.png, the difference of the "
+                "two."},
            {.name = "stereo",
             .value = "MODE",
             .choices = {stereoModeNames().begin(), stereoModeNames().end()},

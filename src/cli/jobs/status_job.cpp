@@ -6,11 +6,11 @@
 #include <map>
 #include <set>
 
-#include "campaign/journal.h"
 #include "cli/jobs.h"
 #include "core/base/error.h"
 #include "core/base/text.h"
 #include "io/files/folders.h"
+#include "runs/journal.h"
 
 namespace hogelscope {
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The innermost loop over the rays of a lens: cells from polynomials of the lens's ideal points,
-// unless a ray is so near a cell's border that only the points themselves can tell the cell
+// unless a ray is so near a cell's border that only the exact points decide
 // (docs/formulas.md, Strips of a lens).
 #pragma once
 

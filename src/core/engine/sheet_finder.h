@@ -31,9 +31,9 @@ struct Offsets {
   std::array<double, 4> at{};
 };
 
-/// A sheet's map from the image plane. Columns, and rows from the bottom, are `apart` larger than
-/// they are, so that truncation is floor on the panel. Any lens may be met, since rays come from
-/// far beside the panel if the gap is wide.
+/// A sheet's map from the image plane. Columns, and rows from the bottom, are offset by `apart`, so
+/// that they stay positive and truncation is floor. Any lens may be met, since rays come from far
+/// beside the panel if the gap is wide.
 template <int kinds>
 struct SheetFinder {
   using Number = double;

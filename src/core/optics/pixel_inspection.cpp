@@ -41,7 +41,7 @@ PixelTrace pixelTrace(const RenderJob& job, int x, int y) {
   if (!result.place) return result;
   result.position = display.position(result.place->i, result.place->j);
   result.slopes = {way.x / way.z, way.y / way.z};
-  if (result.end == RayEnd::seen && !job.display.sheet)
+  if (result.end == RayEnd::seen && hasDirections(job.display))
     result.taps = tapsAt(job.state.psf, display.size(), static_cast<int>(result.place->u),
                          static_cast<int>(result.place->v));
   return result;

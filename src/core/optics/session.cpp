@@ -219,7 +219,8 @@ void requireHogels(const DisplayParams& display, const char* what) {
 
 PanelParams displayOf(const Session& session) {
   PanelParams display{session.display, session.lightField.viewingDistance};
-  if (display.sheet) display.hogels = display.directions = {0, 0};  // they are of its views
+  if (!hasDirections(display))
+    display.hogels = display.directions = {0, 0};  // they are of its views
   return display;
 }
 

@@ -10,7 +10,7 @@ namespace hogelscope {
 
 class Display;
 
-/// Gives what rays of slopes a, b from one eye meet of an affine twin (Twin::isAffine), before its
+/// Maps slopes (a, b) of rays from one eye to cells of an affine twin (Twin::isAffine), before its
 /// hogels' moves and its map of directions.
 struct AffineHits {
   /// i and j: a constant, and what they grow by for each unit of a, and of b.

@@ -55,7 +55,7 @@ ZoneSide sideOf(const PanelParams& display, std::size_t axis) {
 double shareSeenFrom(const PanelParams& display, const Vec3& point) {
   const Vec3 p = transformFromPose(display.position, display.orientation).inverse().point(point);
   if (!(p.z > 0)) return 0;
-  if (display.sheet) return 1;  // beside its cone the views are seen again
+  if (!hasDirections(display)) return 1;  // beside its cone the views are seen again
   const double convergence = convergenceOf(display);
   return shareWithin(display.size[0], p.x, p.z, convergence, *lensOf(display, 0)) *
          shareWithin(display.size[1], p.y, p.z, convergence, *lensOf(display, 1));

@@ -112,7 +112,7 @@ void Inspector::showPixel(const PickedView& view, const QPoint& shown) {
                                  (hasFocus ? '\n' + m_focusText : ""));
   m_ui->inspectorValues->show();
   const bool hasHogel = trace.end == RayEnd::seen || trace.end == RayEnd::outsideField;
-  if (!hasHogel || job.display.sheet) return;
+  if (!hasHogel || !hasDirections(job.display)) return;
   showPictureOf(job, cellOf(trace.place->i, trace.place->j));
   if (trace.end == RayEnd::seen) showDirection(job, *trace.place);
 }

@@ -231,7 +231,7 @@ void MeasureWidget::showClosedForms() {
       m_shown.contrast = mtfMap(bench, figures);
       m_shown.zone = zoneMap(bench, figures);
     }
-    if (m_model->session().display.sheet) m_shown.depths.reset();
+    if (!hasDirections(m_model->session().display)) m_shown.depths.reset();
     showStatus(tr("Closed forms"));
   } catch (const std::exception& error) {
     showStatus(QString::fromUtf8(error.what()));
@@ -245,7 +245,7 @@ void MeasureWidget::simulate() {
   if (!isVisible() || !panel) return;
   m_task->start([this, session = ofCurrent(), panel = *panel,
                  source = m_source](const Progress& progress) -> Task::Answer {
-    if (source && !panel.sheet) {
+    if (source && hasDirections(panel)) {
       ViewSource current = *source;
       current.display = panel;
       const StatesDepths depths = depthsOfStates(session, current, part(progress, 0, 0.3));

@@ -248,7 +248,7 @@ PsfDock::PsfDock(SessionModel* model, QWidget* parent)
 void PsfDock::showKernel() {
   const PsfParams psf = m_model->current().psf;
   // A window that a sheet refuses can still be mended here.
-  const bool isSheet = m_model->session().display.sheet && psf.windowSize == 1;
+  const bool isSheet = !hasDirections(m_model->session().display) && psf.windowSize == 1;
   m_form->setHidden(isSheet);
   m_kernel->setHidden(isSheet);
   if (isSheet)

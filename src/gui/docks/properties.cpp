@@ -113,9 +113,9 @@ Properties::Properties(SessionModel* model, QAction* importAction, QMainWindow* 
   onAnyChange(model, this, &Properties::showSummaries);
   onAnyChange(model, sampling, [model, sampling] {
     const Session& session = model->session();
-    sampling->hideField(
-        "reconstruction",
-        session.display.sheet && session.sampling.reconstruction == Reconstruction::nearest);
+    sampling->hideField("reconstruction",
+                        !hasDirections(session.display) &&
+                            session.sampling.reconstruction == Reconstruction::nearest);
   });
 }
 

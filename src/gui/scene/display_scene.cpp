@@ -38,7 +38,7 @@ Vec3 vec3(const double* p) {
 /// eye; without a plane where there is no limit.
 std::vector<std::vector<Vec3>> depthPlanes(const PanelParams& display, const Vec3& eye) {
   std::vector<std::vector<Vec3>> planes;
-  if (display.sheet || display.hogels[0] < 1 || display.directions[0] < 1) return planes;
+  if (!hasDirections(display) || display.hogels[0] < 1 || display.directions[0] < 1) return planes;
   const DesignNumbers numbers = designNumbers(display, eye);
   const std::array<double, 2> half{display.size[0] / 2, display.size[1] / 2};
   for (const double z : {numbers.depthFront, -numbers.depthBehind})

@@ -458,7 +458,7 @@ void SceneController::pickAt(int x, int y) {
   const std::vector<int> states = m_scene->statesAt(x, y);
   if (states.empty()) {
     const std::optional<Hit> hogel = m_scene->hogelAt(x, y);
-    if (hogel && !m_display.sheet) showHogel(int(hogel->i), int(hogel->j));
+    if (hogel && hasDirections(m_display)) showHogel(int(hogel->i), int(hogel->j));
     return;
   }
   const auto next = std::upper_bound(states.begin(), states.end(), int(m_model->currentIndex()));
@@ -571,7 +571,7 @@ void SceneController::tracePixel() {
     m_pickText = SceneText::pixel(view->pixel.x(), view->pixel.y(), traced);
     if (traced.end == RayEnd::noRay) return;
     m_scene->picked().showRay(traced.eye, traced.target);
-    if (traced.end == RayEnd::misses || m_display.sheet) return;
+    if (traced.end == RayEnd::misses || !hasDirections(m_display)) return;
     const int i = int(traced.place->i);
     const int j = int(traced.place->j);
     m_scene->picked().showHogel(m_display, i, j, hogelImageOf(*m_loaded->lightField, i, j));

@@ -30,7 +30,7 @@ void showAbout(QWidget* window);
 
 /// Returns the filter of session dialogs.
 QString sessionFilter();
-/// Returns that of the dialogs that ask for a light field; `more` are other patterns it offers.
+/// Returns the filter of light field dialogs; `more` are other patterns it offers.
 QString lightFieldFilter(const QString& more = {});
 /// The patterns that lightFieldFilter() adds if a session may stand for its light field.
 inline constexpr const char* sessionPatterns = " *.hogelscope *.json";

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "campaign/journal.h"
 #include "io/documents/panel_error_file.h"
+#include "runs/journal.h"
 #include "tests/io/documents.h"
 
 using namespace hogelscope;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "campaign/state_images.h"
+#include "runs/state_images.h"
 
 #include <algorithm>
 #include <stdexcept>

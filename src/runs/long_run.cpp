@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "campaign/campaign.h"
+#include "runs/long_run.h"
 
 #include <limits>
 
@@ -8,15 +8,15 @@
 
 namespace hogelscope {
 
-Campaign runCampaign(const CampaignRequest& request, int workers,
-                     const std::function<std::vector<double>(std::size_t item, std::size_t worker,
-                                                             const Progress& progress)>& work,
-                     const Progress& progress) {
-  Campaign result;
+LongRun longRun(const LongRunRequest& request, int workers,
+                const std::function<std::vector<double>(std::size_t item, std::size_t worker,
+                                                        const Progress& progress)>& work,
+                const Progress& progress) {
+  LongRun result;
   result.rows.resize(request.items);
   if (!request.folder.empty()) {
     makeFolder(request.folder);
-    result.journal = std::make_shared<CampaignRows>(
+    result.journal = std::make_shared<RunRows>(
         request.folder, JournalHead{request.key, request.items, 1}, request.shard, request.values);
     result.replacedAnother = result.journal->replacedAnother();
     for (const auto& [item, entry] : result.journal->taken()) result.rows[item] = entry;

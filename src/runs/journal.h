@@ -78,13 +78,13 @@ std::vector<FoundJournal> findJournals(const std::filesystem::path& folder);
 
 /// The rows of a long run, stored on disk as they finish, so that a run can resume and several
 /// processes can share it.
-class CampaignRows {
+class RunRows {
  public:
   /// Takes the rows of an earlier run in `folder` and, unless this is a shard, those of all shards.
   /// A row has `values` values. Throws InputError if a shard of this run is still running, or as
   /// Journal does.
-  CampaignRows(const std::filesystem::path& folder, const JournalHead& head,
-               const std::optional<Shard>& shard, std::size_t values);
+  RunRows(const std::filesystem::path& folder, const JournalHead& head,
+          const std::optional<Shard>& shard, std::size_t values);
 
   [[nodiscard]] bool has(std::size_t row) const { return m_has[row] != 0; }
   /// Returns the rows taken from earlier runs.

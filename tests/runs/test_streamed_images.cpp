@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Images of a light field that is read from the top: the same pixels, each row read once, in the
 // memory that was allowed.
-#include "campaign/state_images.h"
 #include "io/scene/view_source.h"
+#include "runs/state_images.h"
 
 #include <QTemporaryDir>
 #include <QTest>

@@ -10,12 +10,12 @@
 #include <string>
 #include <vector>
 
-#include "campaign/journal.h"
 #include "core/base/progress.h"
+#include "runs/journal.h"
 
 namespace hogelscope {
 
-struct CampaignRequest {
+struct LongRunRequest {
   std::filesystem::path folder;  ///< made if missing; "": no row outlives the process
   std::string key;               ///< unique to the run: another one's journal is replaced
   std::size_t items = 0;
@@ -23,20 +23,20 @@ struct CampaignRequest {
   std::optional<Shard> shard;
 };
 
-struct Campaign {
+struct LongRun {
   std::vector<JournalEntry> rows;  ///< of all items; empty values for those of other shards
   std::size_t taken = 0;           ///< rows of earlier runs
   bool replacedAnother = false;    ///< another run's journal, in the same folder
-  std::shared_ptr<CampaignRows>
+  std::shared_ptr<RunRows>
       journal;  ///< to be removed once the results have been written; may be null
 };
 
 /// Computes the rows that are missing, on `workers` threads numbered from 0. An InputError of
 /// `work` becomes the row's problem, with NaN as values. Throws InputError (the folder cannot be
 /// written, or another process uses it), Cancelled; finished rows are then kept for the next run.
-Campaign runCampaign(const CampaignRequest& request, int workers,
-                     const std::function<std::vector<double>(std::size_t item, std::size_t worker,
-                                                             const Progress& progress)>& work,
-                     const Progress& progress);
+LongRun longRun(const LongRunRequest& request, int workers,
+                const std::function<std::vector<double>(std::size_t item, std::size_t worker,
+                                                        const Progress& progress)>& work,
+                const Progress& progress);
 
 }  // namespace hogelscope

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A report's journal: appended with one write per row, read up to the first incomplete line.
-#include "campaign/journal.h"
+#include "runs/journal.h"
 
 #include <fcntl.h>
 #include <unistd.h>
@@ -180,8 +180,8 @@ std::vector<FoundJournal> findJournals(const fs::path& folder) {
   return journals;
 }
 
-CampaignRows::CampaignRows(const fs::path& folder, const JournalHead& head,
-                           const std::optional<Shard>& shard, std::size_t values)
+RunRows::RunRows(const fs::path& folder, const JournalHead& head, const std::optional<Shard>& shard,
+                 std::size_t values)
     : m_journal(folder, head, shard), m_has(head.states * head.tests) {
   take(m_journal.entries(), values);
   if (shard) return;
@@ -196,7 +196,7 @@ CampaignRows::CampaignRows(const fs::path& folder, const JournalHead& head,
   }
 }
 
-void CampaignRows::take(const JournalEntries& entries, std::size_t values) {
+void RunRows::take(const JournalEntries& entries, std::size_t values) {
   for (const auto& [row, entry] : entries)
     if (row < m_has.size() && m_has[row] == 0 && entry.values.size() == values) {
       m_has[row] = 1;
@@ -204,7 +204,7 @@ void CampaignRows::take(const JournalEntries& entries, std::size_t values) {
     }
 }
 
-void CampaignRows::remove() {
+void RunRows::remove() {
   m_journal.remove();
   std::error_code ignored;
   for (const fs::path& file : m_shardFiles) fs::remove(file, ignored);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "campaign/file_hashes.h"
+#include "runs/file_hashes.h"
 
 #include <fcntl.h>
 #include <unistd.h>
