@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Fuzzes images of the formats that light fields come in: EXR, JPEG, PNG, TIFF.
+// Fuzzes images of the formats that light fields come in: EXR, JPEG, PNG, TIFF, also those that are
+// turned, have windows, layers, pages or further pictures.
 #include "io/images/image_file.h"
 #include "tests/fuzz/fuzz.h"
 
@@ -8,7 +9,9 @@ using namespace hogelscope;
 void fuzz(std::string_view input) {
   constexpr double most = 1e6;  // pixels; more of them find nothing new
   mayRefuse([&] {
-    ImageFile image(fileOf("image", input));
+    // Other TIFFs than those of that name may be cameras' raw files.
+    const bool isTiff = input.starts_with("II") || input.starts_with("MM");
+    ImageFile image(fileOf(isTiff ? "image.tif" : "image", input));
     if (double(image.width()) * double(image.height()) > most) return;
     std::size_t rows = 0;
     image.read(image.type(),
@@ -18,5 +21,8 @@ void fuzz(std::string_view input) {
                },
                {});
     require(rows == image.height());
+    if (image.frames() == 1) return;
+    image.select(image.frames() - 1);
+    image.readRows([](std::size_t, const float*) {}, {});
   });
 }

@@ -32,7 +32,51 @@ PictureType typeOf(const OIIO::TypeDesc& type) {
   return PictureType::Other;
 }
 
+OIIO::ImageSpec specOf(const PicturePage& page) {
+  OIIO::ImageSpec spec(page.width, page.height, int(page.channels.size()), typeOf(page.type));
+  spec.channelnames = page.channels;
+  spec.x = page.x;
+  spec.y = page.y;
+  if (page.display.size() == 4) {
+    spec.full_x = page.display[0];
+    spec.full_y = page.display[1];
+    spec.full_width = page.display[2];
+    spec.full_height = page.display[3];
+  } else {
+    spec.full_x = page.x;
+    spec.full_y = page.y;
+  }
+  spec.tile_width = spec.tile_height = page.tile;
+  if (page.orientation != 1) spec.attribute("Orientation", page.orientation);
+  if (!page.name.empty()) spec.attribute("oiio:subimagename", page.name);
+  if (!page.description.empty()) spec.attribute("ImageDescription", page.description);
+  spec.attribute("CompressionQuality", 100);
+  return spec;
+}
+
 }  // namespace
+
+void writePages(const QString& file, const std::vector<PicturePage>& pages,
+                const std::function<float(std::size_t page, int x, int y, int channel)>& value) {
+  QDir().mkpath(QFileInfo(file).path());
+  std::vector<OIIO::ImageSpec> specs;
+  for (const PicturePage& page : pages) specs.push_back(specOf(page));
+  const auto out = OIIO::ImageOutput::create(file.toStdString());
+  const bool isTogether = out && out->supports("multiimage") && !out->supports("appendsubimage");
+  bool isWritten =
+      out && (isTogether ? out->open(file.toStdString(), int(specs.size()), specs.data())
+                         : out->open(file.toStdString(), specs[0]));
+  for (std::size_t page = 0; page < pages.size() && isWritten; ++page) {
+    const OIIO::ImageSpec& spec = specs[page];
+    isWritten = page == 0 || out->open(file.toStdString(), spec, OIIO::ImageOutput::AppendSubimage);
+    std::vector<float> values;
+    for (int y = 0; y < spec.height; ++y)
+      for (int x = 0; x < spec.width; ++x)
+        for (int c = 0; c < spec.nchannels; ++c) values.push_back(value(page, x, y, c));
+    isWritten = isWritten && out->write_image(OIIO::TypeDesc::FLOAT, values.data());
+  }
+  if (!isWritten || !out->close()) qFatal("cannot write %s", qPrintable(file));
+}
 
 void writeImageFile(const QString& file, int width, int height, const PictureValue& value,
                     const PictureKind& kind) {

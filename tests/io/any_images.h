@@ -22,6 +22,24 @@ struct PictureKind {
 void writeImageFile(const QString& file, int width, int height, const PictureValue& value,
                     const PictureKind& kind);
 
+/// One of several pictures of a file. `display` is the whole picture's x, y, width and height;
+/// empty: that of the values.
+struct PicturePage {
+  int width = 0, height = 0;
+  int x = 0, y = 0;  ///< of the first value
+  std::vector<int> display{};
+  std::vector<std::string> channels{"R", "G", "B"};
+  std::string name{};   ///< of a part
+  int orientation = 1;  ///< EXIF's
+  int tile = 0;         ///< side of a tile; 0: rows
+  PictureType type = PictureType::UInt8;
+  std::string description{};
+};
+
+/// Writes a file of several pictures: parts of OpenEXR, pages of TIFF, an animated GIF.
+void writePages(const QString& file, const std::vector<PicturePage>& pages,
+                const std::function<float(std::size_t page, int x, int y, int channel)>& value);
+
 /// Zeros and Other if unreadable.
 struct PictureSpec {
   int width = 0, height = 0, channels = 0;

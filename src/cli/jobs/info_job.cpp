@@ -222,7 +222,12 @@ void printLenslets(std::ostream& out, const FoundLenslets& lenslets) {
 
 void printOrder(std::ostream& out, const OrderedSession& subject, const AssumedOrder& assumed) {
   const LightFieldParams& params = assumed.used;
-  if (params.isLive() || !isWhole(subject.session)) return;
+  if (params.isLive()) return;
+  if (!isWhole(subject.session)) {  // the first warning says what the line of the layout says
+    for (std::size_t k = 1; k < assumed.warnings.size(); ++k)
+      out << "warning     " << printable(assumed.warnings[k]) << "\n";
+    return;
+  }
   out << "order       rows " << nameOf(assumed.rows) << ", columns " << nameOf(assumed.columns)
       << ": " << nameOf(assumed.sureness) << "\n"
       << "found by    " << subject.order.reason << "\n";

@@ -9,6 +9,7 @@
 #include <array>
 #include <fstream>
 #include <limits>
+#include <optional>
 #include <sstream>
 
 #include "core/base/error.h"
@@ -171,25 +172,24 @@ class Input : public ImageInput {
         m_spec.deep)
       throw InputError(m_file.string(), "", "is not a flat picture with pixels");
     checkSize(m_spec, m_file);
-    const StoredType type = typeOf(m_spec);
-    const std::string found = m_image->format_name();
-    const int bits = type == StoredType::uint8    ? 8
-                     : type == StoredType::uint16 ? bitsOf(m_spec, found, m_file)
-                                                  : 16;
+    takeNumbers();
     const bool isMovie = m_spec.get_int_attribute("oiio:Movie") != 0;
     const int frames = isMovie ? m_spec.get_int_attribute("oiio:subimages", 1) : 1;
     if (isMovie && std::uintmax_t(frames) > fs::file_size(m_file))
       throw InputError(m_file.string(), "",
                        "does not say how many frames it has; copy it into another file");
-    m_facts = {{std::size_t(m_spec.width), std::size_t(m_spec.height), m_spec.nchannels, type, bits,
-                std::size_t(std::max(frames, 1))},
-               found};
-    for (int c = 0; c < m_spec.nchannels; ++c)
-      m_facts.channelNames.emplace_back(m_spec.channel_name(c));
-    m_facts.bandRows = bandRowsOf(m_facts.width, std::size_t(std::max(m_spec.tile_height, 1)));
+    m_facts.frames = std::size_t(std::max(frames, 1));
+    addWhatFileSays();
+  }
+
+  void choose(std::size_t picture, const std::optional<std::array<int, 3>>& colours) override {
+    goTo(int(picture));
+    m_colours = colours;
+    takeNumbers();
   }
 
   void read(std::size_t frame, std::size_t first, std::size_t rows, const Rows& to) override {
+    if (m_spec.get_int_attribute("oiio:Movie") == 0) goTo(int(frame));
     std::visit([&](auto* values) { readRows(int(frame), first, rows, values); }, to);
   }
 
@@ -209,6 +209,78 @@ class Input : public ImageInput {
     int begin = 0;
     int end = 0;
   };
+
+  /// Sets the facts of the current picture.
+  void takeNumbers() {
+    const StoredType type = typeOf(m_spec);
+    m_facts.format = m_image->format_name();
+    m_facts.width = std::size_t(m_spec.width);
+    m_facts.height = std::size_t(m_spec.height);
+    m_facts.channels = m_spec.nchannels;
+    m_facts.type = type;
+    m_facts.bits = type == StoredType::uint8    ? 8
+                   : type == StoredType::uint16 ? bitsOf(m_spec, m_facts.format, m_file)
+                                                : 16;
+    m_facts.channelNames.clear();
+    for (int c = 0; c < m_spec.nchannels; ++c)
+      m_facts.channelNames.emplace_back(m_spec.channel_name(c));
+    m_facts.bandRows = bandRowsOf(m_facts.width, std::size_t(std::max(m_spec.tile_height, 1)));
+  }
+
+  /// Makes one of the file's pictures the current one.
+  void goTo(int picture) {
+    if (picture == m_picture) return;
+    m_spec = m_image->spec(picture);
+    if (m_spec.width < 1 || m_spec.height < 1 || m_spec.nchannels < 1 || m_spec.deep)
+      throw InputError(m_file.string(), "is damaged",
+                       "its picture " + std::to_string(picture + 1) + " cannot be read");
+    checkSize(m_spec, m_file);
+    m_picture = picture;
+  }
+
+  /// Adds orientation, number of pictures, and parts. OpenImageIO's HEIF reader turns pictures
+  /// itself.
+  void addWhatFileSays() {
+    const std::string& format = m_facts.format;
+    if (format == "jpeg" || format == "tiff")
+      m_facts.orientation = std::clamp(m_spec.get_int_attribute("Orientation", 1), 1, 8);
+    const int pictures = m_spec.get_int_attribute("oiio:subimages", 1);
+    if (format == "openexr") {
+      addParts(pictures);
+    } else if (pictures > 1 && format != "FFmpeg movie") {
+      m_facts.pictures = std::size_t(pictures);
+      m_facts.frames = 1;
+    } else {
+      static constexpr std::array<std::string_view, 4> silent{"gif", "ico", "psd", "heif"};
+      if (std::ranges::find(silent, format) != silent.end()) lookForSecond();
+    }
+  }
+
+  /// Of formats whose readers do not tell the number of pictures. Opens the file again if there is
+  /// a second one, since not all of them come back to the first.
+  void lookForSecond() {
+    const bool isThere = m_image->seek_subimage(1, 0);
+    (void)m_image->geterror();
+    if (!isThere) return;
+    m_facts.pictures = 0;
+    std::string why;
+    m_image = openAs(m_facts.format, m_file, why);
+    if (!m_image) refuse(m_file, why);
+  }
+
+  void addParts(int count) {
+    constexpr int most = 1000;
+    for (int k = 0; k < std::min(count, most); ++k) {
+      const OIIO::ImageSpec spec = k == 0 ? m_spec : m_image->spec(k);
+      PicturePart part{std::string(spec.get_string_attribute("oiio:subimagename")),
+                       {spec.x, spec.y, spec.width, spec.height},
+                       {spec.full_x, spec.full_y, spec.full_width, spec.full_height}};
+      for (int c = 0; c < spec.nchannels && !spec.deep; ++c)
+        part.channels.emplace_back(spec.channel_name(c));
+      m_facts.parts.push_back(std::move(part));
+    }
+    if (count > 1) m_image->seek_subimage(0, 0);
+  }
 
   /// Reads channels as `type`, pixel by pixel.
   void readStored(int frame, std::size_t first, std::size_t rows, const Channels& channels,
@@ -234,17 +306,28 @@ class Input : public ImageInput {
     const bool isAsked = m_spec.tile_width == 0;
     const bool hasAlpha = isAsked && (m_spec.alpha_channel == 1 || m_spec.alpha_channel == 3);
     const int used = hasAlpha ? m_spec.alpha_channel + 1 : m_spec.nchannels < 3 ? 1 : 3;
-    const auto stored = std::size_t(used);
-    const std::size_t pixels = m_facts.width * rows;
+    Channels channels{0, used};
+    std::array<int, 3> colours = used < 3 ? std::array{0, 0, 0} : std::array{0, 1, 2};
+    if (m_colours) {
+      const auto [least, most] = std::ranges::minmax(*m_colours);
+      channels = {least, most + 1};
+      std::ranges::transform(*m_colours, colours.begin(),
+                             [&](int c) { return c - channels.begin; });
+    }
+    const auto stored = std::size_t(channels.end - channels.begin);
+    const std::size_t pixels = std::size_t(m_spec.width) * rows;
     std::vector<T> read(stored * pixels);
-    readStored(frame, first, rows, {0, used}, OIIO::BaseTypeFromC<T>::value, read.data());
+    readStored(frame, first, rows, channels, OIIO::BaseTypeFromC<T>::value, read.data());
     for (std::size_t p = 0; p < pixels; ++p)
-      for (std::size_t c = 0; c < 3; ++c) to[3 * p + c] = read[stored * p + (stored < 3 ? 0 : c)];
+      for (std::size_t c = 0; c < 3; ++c)
+        to[3 * p + c] = read[stored * p + std::size_t(colours[c])];
   }
 
   fs::path m_file;
   std::unique_ptr<OIIO::ImageInput> m_image;
-  OIIO::ImageSpec m_spec;
+  OIIO::ImageSpec m_spec;                       ///< of the current picture
+  int m_picture = 0;                            ///< the current picture
+  std::optional<std::array<int, 3>> m_colours;  ///< channels, if not the first ones
 };
 
 OIIO::TypeDesc typeDesc(StoredType type) {

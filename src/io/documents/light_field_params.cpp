@@ -70,10 +70,8 @@ void describe(ParameterVisitor& v, LightFieldParams& p) {
   v.group("lightField", "The display's content: a file and how it is laid out.");
   if (!p.isLive())
     v.field("file", file,
-            "Image (hogels, quilt, mosaic, lenslets, woven); folder or %-pattern of images, video "
-            "or HDF5 "
-            "file "
-            "(views); store (pack); relative to the session.");
+            "Image (hogels, quilt, mosaic, lenslets, woven); folder or %-pattern of images, video, "
+            "TIFF of several pages or HDF5 file (views); store (pack); relative to the session.");
   v.field("layout", layout, layoutNames,
           "One image of hogel tiles, a folder of views (sub-aperture images), a quilt of views, a "
           "mosaic of views from several rows of cameras, a picture taken through lenslets, a store "

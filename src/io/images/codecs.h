@@ -5,10 +5,12 @@
 // loads with the first file that needs it. All functions throw InputError that names the file.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <variant>
@@ -33,6 +35,10 @@ struct ImageNumbers {
   std::size_t frames = 1;    ///< images of the same size in the file: a video's frames
   std::size_t columns = 0;   ///< frames in a row, where they are a grid of views
   std::size_t bandRows = 1;  ///< rows that are read together best: bands begin at multiples of it
+  /// How the stored rows lie in the upright picture: EXIF's orientation, 1 (as they are) … 8.
+  int orientation = 1;
+  /// Pictures in the file, where read() has them all as one or leaves some out; 0: more than one.
+  std::size_t pictures = 1;
 };
 
 /// Returns the rows of about a million pixels, in whole tiles.
@@ -41,10 +47,29 @@ constexpr std::size_t bandRowsOf(std::size_t width, std::size_t tileRows = 1) {
   return (bandPixels / width / tileRows + 1) * tileRows;
 }
 
+/// A rectangle of pixels; y points down.
+struct PixelWindow {
+  int x = 0;  ///< of the first pixel
+  int y = 0;
+  int width = 0;
+  int height = 0;
+  bool operator==(const PixelWindow&) const = default;
+};
+
+/// A picture of a file whose pictures may have other sizes and channels, such as a part of OpenEXR.
+struct PicturePart {
+  std::string name;     ///< "" if it has none
+  PixelWindow data;     ///< the pixels that are stored
+  PixelWindow display;  ///< the picture, in the same coordinates
+  std::vector<std::string> channels{};
+};
+
 struct ImageFacts : ImageNumbers {
   std::string format;  ///< such as "png"
   /// The names of all channels, as the file has them; empty where only colours can be read.
   std::vector<std::string> channelNames{};
+  std::string note{};                ///< what the reader assumes or leaves out; "" for nothing
+  std::vector<PicturePart> parts{};  ///< of formats that have windows; frame k of read() is part k
 };
 
 /// An image or a video that is being read.
@@ -56,6 +81,12 @@ class ImageInput {
   /// alpha.
   using Rows = std::variant<std::uint8_t*, std::uint16_t*, float*>;
   virtual void read(std::size_t frame, std::size_t first, std::size_t rows, const Rows& to) = 0;
+  /// Makes facts() those of one of the file's pictures, and read() take red, green and blue from
+  /// these of its channels; none: from the first ones.
+  virtual void choose(std::size_t /*picture*/,
+                      const std::optional<std::array<int, 3>>& /*colours*/) {
+    throw std::logic_error("ImageInput: one picture");
+  }
   /// Reads rows of the channel channelNames[channel] of the first frame as width·rows floats.
   /// Throws InputError that names the channel if it has whole numbers, whose scale is unknown, or
   /// if the file has other pictures too.

@@ -9,6 +9,8 @@
 
 #include "core/base/error.h"
 #include "io/images/image_inputs.h"
+#include "io/images/matlab_file.h"
+#include "io/images/picture_facts.h"
 
 namespace hogelscope {
 
@@ -41,6 +43,31 @@ void checkIsFile(const fs::path& file) {
     throw InputError(file.string(), "", "is a device or a pipe, not a picture file");
 }
 
+/// Opens a picture, and says which format a file has that is none.
+std::unique_ptr<ImageInput> openNamed(const fs::path& file) {
+  try {
+    return openPicture(file);
+  } catch (const InputError&) {
+    refuseMatlab(file);
+    throw;
+  }
+}
+
+/// Whether more than half of the values in the middle of a picture are above white.
+bool isMostlyAboveWhite(ImageInput& input) {
+  const ImageFacts& facts = input.facts();
+  const std::size_t band = facts.height / 2 / facts.bandRows * facts.bandRows;
+  const std::size_t rows = std::min(facts.bandRows, facts.height - band);
+  std::vector<float> values(3 * facts.width * rows);
+  try {
+    input.read(facts.frames / 2, band, rows, values.data());
+  } catch (const InputError&) {
+    return false;  // said by whoever reads all of it
+  }
+  const auto above = std::ranges::count_if(values, [](float value) { return value > 1; });
+  return std::size_t(above) > values.size() / 2;
+}
+
 }  // namespace
 
 ImageFile::ImageFile(const fs::path& file, const YuvParams& yuv) : m_file(file) {
@@ -48,11 +75,28 @@ ImageFile::ImageFile(const fs::path& file, const YuvParams& yuv) : m_file(file) 
   m_input = openYuv(file, yuv);
   if (!m_input) m_input = openPng(file);
   if (!m_input) m_input = openPgx(file);
-  if (!m_input) m_input = openPicture(file);
+  if (!m_input) m_input = openNamed(file);
+  m_input = asFileSays(file, std::move(m_input));
 }
 
 ImageFile::ImageFile(fs::path file, std::unique_ptr<ImageInput> input)
     : m_file(std::move(file)), m_input(std::move(input)) {}
+
+std::vector<std::string> ImageFile::notes() {
+  std::vector<std::string> notes;
+  if (const std::string& note = m_input->facts().note; !note.empty()) notes.push_back(note);
+  if (type() == StoredType::real && isMostlyAboveWhite(*m_input))
+    notes.emplace_back("has mostly values above 1, which is white: divide them, such as by 255");
+  return notes;
+}
+
+std::vector<std::string> ImageFile::notesOfOne() {
+  std::vector<std::string> lines = notes();
+  if (frames() > 1)
+    lines.push_back("has " + std::to_string(frames()) +
+                    " pictures, of which one is read; layout \"views\" reads all");
+  return lines;
+}
 
 template <class T>
 void ImageFile::readAs(const Band& band, const Progress& progress) {

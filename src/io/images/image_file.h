@@ -12,7 +12,9 @@
 
 namespace hogelscope {
 
-/// An opened image file; every error names it. Grey becomes RGB, alpha is composited over black.
+/// An opened image file; every error names it. Grey becomes RGB, alpha is composited over black,
+/// and what the file says of its picture is done (io/images/picture_facts.h): it is upright and
+/// whole.
 class ImageFile {
  public:
   /// Opens a file. `yuv` has the properties that raw YUV (named .yuv) does not contain.
@@ -27,6 +29,13 @@ class ImageFile {
   [[nodiscard]] int bits() const { return m_input->facts().bits; }
   [[nodiscard]] std::string format() const { return m_input->facts().format; }
   [[nodiscard]] std::size_t frames() const { return m_input->facts().frames; }
+  /// Returns the frames in a row of the grid that they are; 0 if the file does not say it.
+  [[nodiscard]] std::size_t columns() const { return m_input->facts().columns; }
+  /// Returns sentences without subject on what is assumed of the file, on what of it is not read if
+  /// all frames are, and on values that are no light of 0 … 1. Of floats it reads some.
+  [[nodiscard]] std::vector<std::string> notes();
+  /// Returns notes() of a file of which only the selected frame is read.
+  [[nodiscard]] std::vector<std::string> notesOfOne();
   /// Selects the frame that read() reads; initially 0.
   void select(std::size_t frame) { m_frame = frame; }
 

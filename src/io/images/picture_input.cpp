@@ -75,6 +75,11 @@ class OwnInput : public ImageInput {
     const std::shared_lock lock(Isolated::librariesInUse());
     m_input->read(frame, first, rows, to);
   }
+  void choose(std::size_t picture, const std::optional<std::array<int, 3>>& colours) override {
+    const std::shared_lock lock(Isolated::librariesInUse());
+    m_input->choose(picture, colours);
+    m_facts = m_input->facts();
+  }
   void readChannel(std::size_t channel, std::size_t first, std::size_t rows, float* to) override {
     const std::shared_lock lock(Isolated::librariesInUse());
     m_input->readChannel(channel, first, rows, to);
@@ -84,8 +89,8 @@ class OwnInput : public ImageInput {
   std::unique_ptr<ImageInput> m_input;
 };
 
-/// A request to the copy: for rows, or, without any, for ImageNumbers and the names of the format
-/// and of the channels, each ended by a zero.
+/// A request to the copy: for rows, or, without any, for ImageNumbers and the format, the note and
+/// the names of the channels, each ended by a zero.
 struct PictureRequest {
   std::size_t frame = 0;
   std::size_t first = 0;
@@ -96,7 +101,7 @@ struct PictureRequest {
 };
 
 std::string namesOf(const ImageFacts& facts) {
-  std::string names = facts.format + '\0';
+  std::string names = facts.format + '\0' + facts.note + '\0';
   for (const std::string& name : facts.channelNames) names += name + '\0';
   return names;
 }
@@ -125,6 +130,7 @@ class IsolatedInput : public ImageInput {
     m_facts = {valueOf<ImageNumbers>(answer), {}};
     std::istringstream names(answer.substr(sizeof(ImageNumbers)));
     std::getline(names, m_facts.format, '\0');
+    std::getline(names, m_facts.note, '\0');
     for (std::string name; std::getline(names, name, '\0');) m_facts.channelNames.push_back(name);
   }
 

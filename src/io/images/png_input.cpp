@@ -2,16 +2,19 @@
 // Reads PNGs through libspng.
 #include <spng.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cstring>
 #include <limits>
+#include <string_view>
 
 #include "core/base/error.h"
 #include "core/base/text.h"
 #include "io/files/random_access_file.h"
 #include "io/files/system_limits.h"
 #include "io/images/image_inputs.h"
+#include "io/images/tiff_directories.h"
 
 namespace hogelscope {
 
@@ -43,9 +46,36 @@ bool isPng(const fs::path& path) {
          found == signature;
 }
 
+std::uint32_t bigEndian(const std::uint8_t* bytes) {
+  return std::uint32_t(bytes[0]) << 24U | std::uint32_t(bytes[1]) << 16U |
+         std::uint32_t(bytes[2]) << 8U | bytes[3];
+}
+
+/// Returns the orientation of a chunk eXIf behind the pixels, where some programs add it; only the
+/// last bytes are searched. It counts if chunks follow on from it up to the end.
+int orientationAtEnd(const RandomAccessFile& file) {
+  constexpr std::size_t most = 4096;
+  const std::size_t bytes = std::min<std::uint64_t>(most, file.size());
+  std::vector<std::uint8_t> end(bytes);
+  end.resize(file.readSome(file.size() - bytes, std::as_writable_bytes(std::span(end))));
+  constexpr std::string_view name("eXIf");
+  constexpr std::size_t around = 12;  // length, name and checksum
+  const auto at = std::search(end.begin(), end.end(), name.begin(), name.end());
+  if (at == end.end() || at - end.begin() < 4) return 1;
+  const auto chunk = std::size_t(at - end.begin()) - 4;
+  std::size_t next = chunk;
+  while (next + around <= end.size()) next += around + bigEndian(&end[next]);
+  if (next != end.size()) return 1;
+  const std::span content = std::span(end).subspan(chunk + 8, bigEndian(&end[chunk]));
+  return exifOrientation(std::as_bytes(content));
+}
+
 class PngInput : public RowInput {
  public:
-  explicit PngInput(fs::path file) : m_file(std::move(file)) { open(); }
+  explicit PngInput(fs::path file) : m_file(std::move(file)) {
+    open();
+    addWhatFileSays();
+  }
 
  private:
   void readRow(std::size_t y, std::uint8_t* rgb) override {
@@ -62,6 +92,7 @@ class PngInput : public RowInput {
     if (!m_input) throw InputError(m_file.string(), "cannot be read", std::strerror(errno));
     if (!m_context) throw std::bad_alloc();
     constexpr std::size_t chunkBytes = std::size_t{16} << 20U;  // of texts and the like
+    check(spng_set_option(m_context.get(), SPNG_KEEP_UNKNOWN_CHUNKS, 1));
     check(spng_set_image_limits(m_context.get(), INT32_MAX, INT32_MAX));
     check(spng_set_chunk_limits(m_context.get(), chunkBytes, chunkBytes));
     check(spng_set_png_file(m_context.get(), m_input.get()), "cannot be read as a picture");
@@ -75,9 +106,12 @@ class PngInput : public RowInput {
     m_hasAlpha = hasColourAndAlpha(header) || spng_get_trns(m_context.get(), &transparency) == 0;
     m_isInterlaced = header.interlace_method != SPNG_INTERLACE_NONE;
     const bool is16 = header.bit_depth == 16;
-    m_facts = {{header.width, header.height, (isGrey(header) ? 1 : 3) + (m_hasAlpha ? 1 : 0),
-                is16 ? StoredType::uint16 : StoredType::uint8, is16 ? 16 : 8},
-               "png"};
+    m_facts.format = "png";
+    m_facts.width = header.width;
+    m_facts.height = header.height;
+    m_facts.channels = (isGrey(header) ? 1 : 3) + (m_hasAlpha ? 1 : 0);
+    m_facts.type = is16 ? StoredType::uint16 : StoredType::uint8;
+    m_facts.bits = is16 ? 16 : 8;
     m_format = is16 ? SPNG_FMT_RGBA16 : m_hasAlpha ? SPNG_FMT_RGBA8 : SPNG_FMT_RGB8;
     m_rowBytes = m_facts.width * (is16 ? 8 : m_hasAlpha ? 4 : 3);
     // Before anything of this size is allocated.
@@ -85,6 +119,23 @@ class PngInput : public RowInput {
     if (stored > mostBytesPerByte * double(RandomAccessFile(m_file).size()))
       throw InputError(m_file.string(), "is damaged",
                        "it is too short for " + pairText(header.width, header.height) + " px");
+  }
+
+  /// Adds EXIF's orientation, and the number of pictures of an animation (APNG).
+  void addWhatFileSays() {
+    spng_exif exif{};
+    if (spng_get_exif(m_context.get(), &exif) == 0)
+      m_facts.orientation = exifOrientation(std::as_bytes(std::span(exif.data, exif.length)));
+    else
+      m_facts.orientation = orientationAtEnd(RandomAccessFile(m_file));
+    std::uint32_t count = 0;
+    if (spng_get_unknown_chunks(m_context.get(), nullptr, &count) != 0 || count == 0) return;
+    std::vector<spng_unknown_chunk> chunks(count);
+    if (spng_get_unknown_chunks(m_context.get(), chunks.data(), &count) != 0) return;
+    for (const spng_unknown_chunk& chunk : chunks)
+      if (std::memcmp(chunk.type, "acTL", 4) == 0 && chunk.length >= 4)
+        m_facts.pictures =
+            std::max<std::size_t>(1, bigEndian(static_cast<std::uint8_t*>(chunk.data)));
   }
 
   void begin() {

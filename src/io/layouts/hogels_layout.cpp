@@ -26,6 +26,7 @@ class HogelImage : public PictureFiles {
   HogelImage(const LightFieldParams& params, const DisplayParams& display)
       : PictureFiles(params), m_image(params.file, params.yuv) {
     takeTypeOf(m_image);
+    warnOf("the picture", m_image.notesOfOne());
     m_size = {display.hogels[0], display.hogels[1], display.directions[0], display.directions[1]};
     if (display.sheet) {
       takePanel(*display.sheet);

@@ -46,8 +46,8 @@ struct LayoutType {
 
 /// One image of hogel tiles, (i·du + u, j·dv + v); for a lens sheet, of its panel's pixels.
 extern const LayoutType hogelsLayout;
-/// A folder or %-pattern of images; frames of a video, counted row by row (LightFieldParams::scan);
-/// a data set of HDF5 (openHdf5).
+/// A folder or %-pattern of images; frames of a video or pages of a TIFF, counted row by row
+/// (LightFieldParams::scan); a data set of HDF5 (openHdf5).
 extern const LayoutType viewsLayout;
 /// One image of a row of views, as tiles row by row from the bottom left.
 extern const LayoutType quiltLayout;
@@ -65,7 +65,8 @@ extern const LayoutType lensletsLayout;
 /// searched. Throws InputError (no folder, no match, half of the views or more missing).
 ViewFiles findViews(const LightFieldParams& params, std::array<int, 2> directions);
 
-/// Whether a file has views as its frames: a video by its name, or HDF5 by its first bytes.
+/// Whether a file has views as its frames: a video by its name, HDF5 by its first bytes, or a TIFF
+/// of several pages that are alike.
 bool isViewSequence(const std::string& file);
 
 /// The columns and rows in a quilt's name (…_qs8x6a0.75.png), and the display's width / height; 0

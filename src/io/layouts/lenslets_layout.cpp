@@ -79,6 +79,7 @@ class LensletPicture : public PictureFiles {
                  const Progress& progress)
       : PictureFiles(params), m_image(params.file, params.yuv) {
     takeTypeOf(m_image);
+    warnOf("the picture", m_image.notesOfOne());
     const auto& [white, dark, grid, pitch, rotation, origin, gain] = params.lenslets;
     if (!dark.empty()) m_dark = readPlaneLike(dark, m_image, part(progress, 0, 0.2));
     if (!white.empty()) {

@@ -20,6 +20,7 @@ class PictureFiles : public LightFieldFile {
   [[nodiscard]] LightFieldSize size() const override { return m_size; }
   [[nodiscard]] StoredType type() const override { return m_type; }
   [[nodiscard]] int bits() const override { return m_bits; }
+  [[nodiscard]] std::vector<std::string> warnings() const override { return m_warnings; }
   [[nodiscard]] std::vector<std::filesystem::path> files() const override {
     return {m_params.file};
   }
@@ -30,12 +31,17 @@ class PictureFiles : public LightFieldFile {
     m_type = image.type();
     m_bits = image.bits();
   }
+  /// Adds warnings from sentences whose subject is missing.
+  void warnOf(const std::string& subject, const std::vector<std::string>& notes) {
+    for (const std::string& note : notes) m_warnings.push_back(subject + " " + note);
+  }
   [[nodiscard]] LightField blank(int rows) const {
     return blankLightField({m_size.nx, rows, m_size.du, m_size.dv}, m_type, m_params.file, packIt);
   }
 
   LightFieldParams m_params;
   LightFieldSize m_size;
+  std::vector<std::string> m_warnings;
 
  private:
   StoredType m_type{};

@@ -26,6 +26,7 @@ class TiledImage : public ScatteredFile {
         m_rows(tiles[1]),
         m_isQuilt(isQuilt) {
     takeTypeOf(m_image);
+    warnOf("the picture", m_image.notesOfOne());
     const auto [across, down] = tiles;
     const auto width = int(m_image.width()), height = int(m_image.height());
     if (width % across != 0 || height % down != 0)

@@ -8,6 +8,7 @@
 #include "core/base/text.h"
 #include "io/files/folders.h"
 #include "io/images/image_inputs.h"
+#include "io/images/picture_facts.h"
 #include "io/layouts/layouts.h"
 #include "io/layouts/picture_files.h"
 
@@ -21,16 +22,14 @@ class ViewsFolder : public ScatteredFile {
  public:
   ViewsFolder(const LightFieldParams& params, const DisplayParams& display)
       : ScatteredFile(params), m_views(findViews(params, display.directions)) {
-    const ImageFile first(m_views.found().front(), params.yuv);
+    ImageFile first(m_views.found().front(), params.yuv);
     takeTypeOf(first);
     m_size = {int(first.width()), int(first.height()), m_views.columns, m_views.rows};
+    if (!m_views.missing.empty()) m_warnings.push_back(m_views.missing);
+    warnOf("the first view, " + first.file().filename().string() + ",", first.notesOfOne());
   }
 
   [[nodiscard]] std::vector<fs::path> files() const override { return m_views.found(); }
-  [[nodiscard]] std::vector<std::string> warnings() const override {
-    if (m_views.missing.empty()) return {};
-    return {m_views.missing};
-  }
 
  private:
   void fill(LightField& band, int begin, const Progress& progress) override {
@@ -71,6 +70,7 @@ class ViewSequence : public ScatteredFile {
       : ScatteredFile(params), m_image(std::move(image)), m_grid(grid) {
     takeTypeOf(m_image);
     m_size = {int(m_image.width()), int(m_image.height()), int(grid.columns), int(grid.rows)};
+    warnOf("the file", m_image.notes());
   }
 
  private:
@@ -94,22 +94,23 @@ class ViewSequence : public ScatteredFile {
 std::unique_ptr<LightFieldFile> openViews(const LightFieldParams& params,
                                           const DisplayParams& display, const Progress&) {
   if (!isViewSequence(params.file)) return std::make_unique<ViewsFolder>(params, display);
-  if (isHdf5(params.file)) {
-    auto views = openHdf5(params.file, params.pattern);
-    const SequenceGrid grid{views->facts().frames / views->facts().columns, views->facts().columns};
-    return std::make_unique<ViewSequence>(params, ImageFile(params.file, std::move(views)), grid);
-  }
-  ImageFile video(params.file);
-  const SequenceGrid grid = gridOfSequence(
-      video.frames(), {params.file, {}, display.directions, params.scan == ViewScan::serpentine});
-  return std::make_unique<ViewSequence>(params, std::move(video), grid);
+  const bool isArray = isHdf5(params.file);
+  ImageFile views = isArray ? ImageFile(params.file, openHdf5(params.file, params.pattern))
+                            : ImageFile(params.file);
+  const SequenceGrid grid =
+      views.columns() > 0
+          ? SequenceGrid{views.frames() / views.columns(), views.columns()}
+          : gridOfSequence(
+                views.frames(),
+                {params.file, {}, display.directions, params.scan == ViewScan::serpentine});
+  return std::make_unique<ViewSequence>(params, std::move(views), grid);
 }
 
 }  // namespace
 
 bool isViewSequence(const std::string& file) {
   std::error_code error;
-  return fs::is_regular_file(file, error) && (isVideo(file) || isHdf5(file));
+  return fs::is_regular_file(file, error) && (isVideo(file) || isHdf5(file) || hasViewPages(file));
 }
 
 const LayoutType viewsLayout{

@@ -243,8 +243,11 @@ Opening inspectFile(const std::string& file, const SaidFields& said, const Progr
   const std::string source = sourceOf(file, said);
   try {
     opening.around = orderedSessionAround(source, overridesOf(said), progress);
-    if (!session.lightField.isLive())
-      opening.size = openLightField(session.lightField, session.display, progress)->size();
+    if (!session.lightField.isLive()) {
+      const auto lightField = openLightField(session.lightField, session.display, progress);
+      opening.size = lightField->size();
+      addWarnings(opening.around.order.warnings, *lightField);
+    }
     check(session);
     if (session.lightField.layout == Layout::lenslets) {
       const auto lines = examine(session.lightField, session.display, progress);

@@ -230,6 +230,11 @@ OrderedSession orderedSessionAround(const std::string& file,
   return result;
 }
 
+void addWarnings(std::vector<std::string>& warnings, const LightFieldFile& file) {
+  for (const std::string& line : file.warnings())
+    if (std::ranges::find(warnings, line) == warnings.end()) warnings.push_back(line);
+}
+
 bool isWhole(const Session& session) {
   return session.lightField.layout != Layout::hogels || session.display.hogels[0] > 0;
 }
@@ -246,9 +251,16 @@ AssumedOrder orderOf(const OrderedSession& subject) {
     assumed.used = session.lightField;
     assumed.warnings = {
         "display.hogels and display.directions are not given, and the file does not say them"};
+    for (const std::string& note :
+         ImageFile(session.lightField.file, session.lightField.yuv).notesOfOne())
+      assumed.warnings.push_back("the picture " + note);
     return assumed;
   }
-  assumed = assumedOrder(session.lightField, sizeOf(session), subject.order);
+  if (session.lightField.isLive())
+    return assumedOrder(session.lightField, sizeOf(session), subject.order);
+  const auto file = openLightField(session.lightField, session.display);
+  assumed = assumedOrder(session.lightField, file->size(), subject.order);
+  addWarnings(assumed.warnings, *file);
   if (session.lightField.layout != Layout::lenslets) return assumed;
   assumed.lenslets = lensletsOf(session.lightField, session.display);
   if (const std::string warning = warningOf(session.lightField, *assumed.lenslets);

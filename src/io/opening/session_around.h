@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/optics/session.h"
+#include "io/layouts/light_field_file.h"
 #include "io/opening/light_field_order.h"
 
 namespace hogelscope {
@@ -30,6 +31,9 @@ struct OrderedSession {
 OrderedSession orderedSessionAround(const std::string& file,
                                     const std::vector<std::string>& overrides = {},
                                     const Progress& progress = {});
+
+/// Adds the warnings of a light field that are not there already.
+void addWarnings(std::vector<std::string>& warnings, const LightFieldFile& file);
 
 /// Whether the hogels of a session's light field are known; an image of hogels may not say them.
 bool isWhole(const Session& session);

@@ -84,9 +84,10 @@ const LayoutType& typeOf(Layout layout) {
 }
 
 Holder holderOf(const std::string& file) {
-  if (isFolder(file) || isViewSequence(file)) return Holder::views;
-  if (isMeshFile(file)) return Holder::scene;
-  return LightFieldStore::isStore(file) ? Holder::store : Holder::picture;
+  if (isFolder(file)) return Holder::views;
+  if (LightFieldStore::isStore(file)) return Holder::store;  // whose pages are alike
+  if (isViewSequence(file)) return Holder::views;
+  return isMeshFile(file) ? Holder::scene : Holder::picture;
 }
 
 LightFieldParams lightFieldOf(const std::string& file) {
