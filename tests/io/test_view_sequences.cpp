@@ -7,7 +7,9 @@
 #include <QTest>
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
+#include <map>
 #include <opencv2/videoio.hpp>
 
 #include "core/base/error.h"
@@ -48,6 +50,17 @@ void addDataSet(hid_t file, const char* name, hid_t type, const Lengths& lengths
   H5Dclose(set);
   H5Pclose(created);
   H5Sclose(space);
+}
+
+/// Adds the attribute by which MATLAB marks its variables.
+void addMark(hid_t file, const char* name) {
+  const hid_t set = H5Dopen2(file, name, H5P_DEFAULT);
+  const hid_t space = H5Screate(H5S_SCALAR);
+  const hid_t mark =
+      H5Acreate2(set, "MATLAB_class", H5T_NATIVE_UINT8, space, H5P_DEFAULT, H5P_DEFAULT);
+  H5Aclose(mark);
+  H5Sclose(space);
+  H5Dclose(set);
 }
 
 hid_t newFile(const char* name) {
@@ -163,6 +176,100 @@ class TestViewSequences : public QObject {
     H5Fclose(file);
     QCOMPARE(open("real.hdf5")->type(), StoredType::real);
     QCOMPARE(firstWrong(open("real.hdf5")->read({}), inRaster(3), 1e-4), QString());
+  }
+
+  void axes_data() {
+    QTest::addColumn<QByteArray>("axes");  // R, C: rows and columns of views; N: views; y, x; c
+    QTest::addColumn<int>("colours");
+    QTest::addColumn<bool>("isMatlab");
+    QTest::addColumn<QByteArray>("line");
+    const auto add = [](const char* axes, int colours, const char* line = "",
+                        bool isMatlab = false) {
+      QTest::addRow("%s %d%s", axes, colours, isMatlab ? " MATLAB" : "")
+          << QByteArray(axes) << colours << isMatlab << QByteArray(line);
+    };
+    const char* const fourth = "a weight or alpha, is left aside";
+    add("RCyxc", 3);
+    add("RCyxc", 1);
+    add("RCyxc", 4, fourth);
+    add("RCyx", 1);
+    add("Nyxc", 3, "6×8×11×3, which are taken for views × height × width × colours");
+    add("Nyxc", 4, fourth);
+    add("Ncyx", 3, "views × colours × height × width");
+    add("cNyx", 3, "colours × views × height × width");
+    add("RCcyx", 4, "rows of views × columns × colours × height × width");
+    add("yxRCc", 4, "height × width × rows of views × columns × colours");
+    add("Nyx", 1, "views × height × width");
+    // MATLAB's LF(row, column, y, x, colour), and the same without its mark.
+    add("cxyCR", 4, fourth, true);
+    add("cxyCR", 4, "colours × width × height × columns × rows of views");
+    add("xyCR", 1, "", true);
+  }
+  /// By their lengths, in any order.
+  void axes() {
+    QFETCH(const QByteArray, axes);
+    QFETCH(const int, colours);
+    QFETCH(const bool, isMatlab);
+    QFETCH(const QByteArray, line);
+    const std::map<char, int> lengthOf{{'R', 2},  {'C', 5}, {'N', 6},
+                                       {'x', 11}, {'y', 8}, {'c', colours}};
+    Lengths lengths;
+    for (const char axis : axes) lengths.push_back(hsize_t(lengthOf.at(axis)));
+    std::vector<std::uint8_t> values;
+    std::map<char, int> at;
+    const std::function<void(qsizetype)> fill = [&](qsizetype k) {
+      if (k == axes.size()) {
+        const int view = axes.contains('N') ? at['N'] : 5 * at['R'] + at['C'];
+        values.push_back(std::uint8_t(sampleAt(view, at['x'], at['y'], at['c'])));
+        return;
+      }
+      for (at[axes[k]] = 0; at[axes[k]] < lengthOf.at(axes[k]); ++at[axes[k]]) fill(k + 1);
+    };
+    fill(0);
+    const hid_t file = newFile("axes.h5");
+    addDataSet(file, "x", H5T_NATIVE_UINT8, lengths, values);
+    if (isMatlab) addMark(file, "x");
+    H5Fclose(file);
+    const int columns = axes.contains('N') ? 6 : 5;
+    const auto opened = open("axes.h5");
+    QVERIFY((opened->size() == LightFieldSize{11, 8, columns, axes.contains('N') ? 1 : 2}));
+    QCOMPARE(firstWrong(opened->read({}), inRaster(columns, colours == 1 ? 1 : 3)), QString());
+    const std::vector<std::string> warnings = opened->warnings();
+    QCOMPARE(warnings.empty(), line.isEmpty());
+    if (!line.isEmpty())
+      QVERIFY2(QByteArray::fromStdString(warnings[0]).contains(line), warnings[0].c_str());
+  }
+
+  void unclearAxes_data() {
+    QTest::addColumn<QList<int>>("lengths");
+    QTest::newRow("three alike") << QList<int>{7, 7, 7, 3};
+    QTest::newRow("two of 3") << QList<int>{9, 3, 4, 30, 40};
+    QTest::newRow("one picture") << QList<int>{30, 40, 3};
+    QTest::newRow("too many") << QList<int>{2, 2, 2, 30, 40, 3};
+    QTest::newRow("a list") << QList<int>{100};
+  }
+  void unclearAxes() {
+    QFETCH(const QList<int>, lengths);
+    const hid_t file = newFile("unclear.h5");
+    addDataSet(file, "x", H5T_NATIVE_UINT8, {lengths.begin(), lengths.end()},
+               std::vector<std::uint8_t>(200000));
+    H5Fclose(file);
+    QByteArray shape = "x ";
+    for (const int length : lengths)
+      shape += (shape.size() > 2 ? "×" : "") + QByteArray::number(length);
+    QVERIFY2(errorOf("unclear.h5").endsWith("or floats: " + shape), errorOf("unclear.h5"));
+  }
+
+  /// MATLAB's files of version 7.3 have a text before HDF5's signature.
+  void behindText() {
+    const hid_t created = H5Pcreate(H5P_FILE_CREATE);
+    H5Pset_userblock(created, 512);
+    const hid_t file = H5Fcreate("a.mat", H5F_ACC_TRUNC, created, H5P_DEFAULT);
+    H5Pclose(created);
+    addDataSet(file, "LF", H5T_NATIVE_UINT8, lengthsOf(2, 3), sampled<std::uint8_t>(2, 3, 3, 1));
+    H5Fclose(file);
+    QCOMPARE(lightFieldOf("a.mat").layout, Layout::views);
+    QCOMPARE(firstWrong(open("a.mat")->read({}), inRaster(3)), QString());
   }
 
   /// HCI's archive has the depth beside them.

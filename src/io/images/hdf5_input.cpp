@@ -16,6 +16,8 @@
 #include <vector>
 
 #include "core/base/error.h"
+#include "io/files/system_limits.h"
+#include "io/images/view_axes.h"
 
 namespace hogelscope {
 
@@ -29,7 +31,11 @@ class Handle {
   using Close = herr_t (*)(hid_t);
   Handle(hid_t id, Close close) : m_id(id), m_close(close) {}
   Handle(Handle&& other) noexcept : m_id(std::exchange(other.m_id, -1)), m_close(other.m_close) {}
-  Handle& operator=(Handle&&) = delete;
+  Handle& operator=(Handle&& other) noexcept {
+    std::swap(m_id, other.m_id);
+    std::swap(m_close, other.m_close);
+    return *this;
+  }
   ~Handle() {
     if (m_id >= 0) m_close(m_id);
   }
@@ -79,13 +85,14 @@ std::vector<std::string> dataSetsOf(const Handle& file) {
 struct Shape {
   std::vector<hsize_t> lengths;
   std::optional<StoredType> type;  ///< none if the values are not pixels
+  bool isMatlab = false;           ///< MATLAB's axes are stored in reversed order
 
-  /// Whether there are five axes, the last one of red, green, blue or grey, or four for grey.
-  [[nodiscard]] bool areViews() const {
+  /// Returns which axes are the views'; none if these are no values of views, or it is unclear.
+  [[nodiscard]] std::optional<ViewAxes> axes() const {
     constexpr hsize_t longest = 1U << 20U;
-    const bool hasColours = lengths.size() == 5 && (lengths.back() == 3 || lengths.back() == 1);
-    return type && (hasColours || lengths.size() == 4) &&
-           std::ranges::all_of(lengths, [](hsize_t n) { return n >= 1 && n <= longest; });
+    if (!type || !std::ranges::all_of(lengths, [](hsize_t n) { return n >= 1 && n <= longest; }))
+      return std::nullopt;
+    return viewAxesOf({lengths.begin(), lengths.end()}, isMatlab);
   }
   [[nodiscard]] std::string text() const {
     std::string all;
@@ -108,7 +115,8 @@ std::optional<StoredType> typeOf(const Handle& dataSet) {
 Shape shapeOf(const Handle& dataSet) {
   const Handle space(H5Dget_space(dataSet.id()), H5Sclose);
   const int rank = space.isOpen() ? H5Sget_simple_extent_ndims(space.id()) : -1;
-  Shape shape{std::vector<hsize_t>(std::size_t(std::max(rank, 0))), typeOf(dataSet)};
+  Shape shape{std::vector<hsize_t>(std::size_t(std::max(rank, 0))), typeOf(dataSet),
+              H5Aexists(dataSet.id(), "MATLAB_class") > 0};
   if (rank > 0) H5Sget_simple_extent_dims(space.id(), shape.lengths.data(), nullptr);
   return shape;
 }
@@ -123,7 +131,14 @@ struct DataSet {
   std::string name;
   Handle handle;
   Shape shape;
+  ViewAxes axes;
 };
+
+template <class T>
+constexpr StoredType typeFor() {
+  if (std::is_same_v<T, std::uint8_t>) return StoredType::uint8;
+  return std::is_same_v<T, std::uint16_t> ? StoredType::uint16 : StoredType::real;
+}
 
 /// Throws if even a single colour could not be stored in so few bytes.
 void checkStored(const Handle& dataSet, const Shape& shape, const std::string& name) {
@@ -152,24 +167,38 @@ std::string listed(const Handle& file, const std::vector<std::string>& names) {
   return names.size() > most ? text + ", …" : text;
 }
 
-/// Returns the only data set that can be views, else "LF". HCI's depth has as many axes as grey
-/// views, but other values.
+/// Returns the only data set that can be views, else "LF", else the only one with colours. HCI's
+/// depth has as many axes as grey views, but other values.
 std::string chosenName(const Handle& file) {
   const std::vector<std::string> names = dataSetsOf(file);
   std::vector<std::string> views;
+  std::vector<std::string> coloured;
   for (const std::string& name : names) {
     const Handle one(H5Dopen2(file.id(), name.c_str(), H5P_DEFAULT), H5Dclose);
-    if (one.isOpen() && shapeOf(one).areViews()) views.push_back(name);
+    const std::optional<ViewAxes> axes = one.isOpen() ? shapeOf(one).axes() : std::nullopt;
+    if (!axes) continue;
+    views.push_back(name);
+    if (axes->colours) coloured.push_back(name);
   }
   if (views.size() == 1) return views[0];
-  for (const std::string& name : views)
-    if (name == "LF") return name;
+  if (std::ranges::count(views, "LF") > 0) return "LF";
+  if (coloured.size() == 1) return coloured[0];
   if (views.empty())
     throw InputError("",
                      "has no data set of views, rows × columns × height × width × 3 of 8 or 16 "
                      "bits or floats: " +
                          (names.empty() ? "it has none at all" : listed(file, names)));
   throw InputError("lightField.pattern", "must name one of the data sets: " + listed(file, views));
+}
+
+/// Opens a data set again, with a cache for its chunks. Where a chunk has parts of all views, each
+/// view would decode all chunks.
+Handle withLargeCache(const Handle& file, const std::string& name) {
+  constexpr std::size_t slots = 12289;  // a prime number, as the library wants
+  const std::size_t bytes = std::min(std::size_t{400} << 20U, allowedMemory() / 2);
+  const Handle access(H5Pcreate(H5P_DATASET_ACCESS), H5Pclose);
+  H5Pset_chunk_cache(access.id(), slots, bytes, 1);
+  return {H5Dopen2(file.id(), name.c_str(), access.id()), H5Dclose};
 }
 
 /// Opens the data set; all of this runs in the other process.
@@ -182,24 +211,37 @@ DataSet openDataSet(const fs::path& path, const std::string& name) {
         "lightField.pattern",
         "\"" + chosen + "\" is no data set of the file: it has " + listed(file, dataSetsOf(file)));
   const Shape shape = shapeOf(handle);
-  if (!shape.areViews())
+  const std::optional<ViewAxes> axes = shape.axes();
+  if (!axes)
     throw InputError(chosen, "has " + shape.text() +
                                  " values, not rows × columns × height × width × 3 of 8 or 16 bits "
                                  "or floats");
   checkLayout(handle, chosen);
   checkStored(handle, shape, chosen);
-  return {std::move(file), chosen, std::move(handle), shape};
+  if (axes->areViewsLast) handle = withLargeCache(file, chosen);
+  return {std::move(file), chosen, std::move(handle), shape, *axes};
 }
 
 class Hdf5Input : public ImageInput {
  public:
   explicit Hdf5Input(DataSet dataSet) : m_dataSet(std::move(dataSet)) {
-    const std::vector<hsize_t>& lengths = m_dataSet.shape.lengths;
-    const StoredType type = m_dataSet.shape.type.value_or(StoredType::uint8);
-    m_facts = {{lengths[3], lengths[2], lengths.size() == 5 ? int(lengths[4]) : 1, type,
-                type == StoredType::uint8 ? 8 : 16, lengths[0] * lengths[1], lengths[1]},
-               "hdf5"};
+    const auto& [lengths, stored, isMatlab] = m_dataSet.shape;
+    const ViewAxes& axes = m_dataSet.axes;
+    const StoredType type = stored.value_or(StoredType::uint8);
+    std::size_t frames = 1;
+    for (const std::size_t axis : axes.views) frames *= lengths[axis];
+    m_facts = {
+        {lengths[axes.width], lengths[axes.height], axes.colours ? int(lengths[*axes.colours]) : 1,
+         type, type == StoredType::uint8 ? 8 : 16, frames,
+         axes.views.size() == 2 ? lengths[axes.views[1]] : 0},
+        "hdf5"};
     m_facts.bandRows = bandRowsOf(m_facts.width);
+    if (!axes.isUsual)
+      m_facts.note = "keeps " + m_dataSet.name + " as " + m_dataSet.shape.text() +
+                     ", which are taken for " + axes.text;
+    if (m_facts.channels == 4)
+      m_facts.note += (m_facts.note.empty() ? "has four channels" : "") +
+                      std::string("; the fourth, a weight or alpha, is left aside");
   }
 
   void read(std::size_t frame, std::size_t first, std::size_t rows, const Rows& to) override {
@@ -207,25 +249,51 @@ class Hdf5Input : public ImageInput {
   }
 
  private:
+  /// Selects rows of a view in the file; returns their numbers along the file's axes.
+  std::vector<hsize_t> select(const Handle& space, std::size_t frame, std::size_t first,
+                              std::size_t rows) const {
+    const ViewAxes& axes = m_dataSet.axes;
+    const std::vector<hsize_t>& lengths = m_dataSet.shape.lengths;
+    std::vector<hsize_t> from(lengths.size(), 0);
+    std::vector<hsize_t> count(lengths.size(), 1);
+    for (auto axis = axes.views.rbegin(); axis != axes.views.rend(); ++axis) {
+      from[*axis] = frame % lengths[*axis];
+      frame /= lengths[*axis];
+    }
+    from[axes.height] = first;
+    count[axes.height] = rows;
+    count[axes.width] = m_facts.width;
+    if (axes.colours) count[*axes.colours] = hsize_t(std::min(m_facts.channels, 3));
+    H5Sselect_hyperslab(space.id(), H5S_SELECT_SET, from.data(), nullptr, count.data(), nullptr);
+    return count;
+  }
+
   template <class T>
   void readAs(std::size_t frame, std::size_t first, std::size_t rows, T* rgb) const {
-    std::vector<T> values(rows * m_facts.width * std::size_t(m_facts.channels));
-    const std::array<hsize_t, 5> from{frame / m_facts.columns, frame % m_facts.columns, first};
-    const std::array<hsize_t, 5> count{1, 1, rows, m_facts.width, hsize_t(m_facts.channels)};
-    const hid_t type = nativeType(m_facts.type);
+    const ViewAxes& axes = m_dataSet.axes;
     const hid_t dataSet = m_dataSet.handle.id();
     const Handle space(H5Dget_space(dataSet), H5Sclose);
-    const int rank = int(m_dataSet.shape.lengths.size());
-    const Handle memory(H5Screate_simple(rank, count.data(), nullptr), H5Sclose);
-    H5Sselect_hyperslab(space.id(), H5S_SELECT_SET, from.data(), nullptr, count.data(), nullptr);
-    if (H5Dread(dataSet, type, memory.id(), space.id(), H5P_DEFAULT, values.data()) < 0)
+    const std::vector<hsize_t> count = select(space, frame, first, rows);
+    const std::size_t colours = axes.colours ? count[*axes.colours] : 1;
+    std::vector<T> values(rows * m_facts.width * colours);
+    const Handle memory(H5Screate_simple(int(count.size()), count.data(), nullptr), H5Sclose);
+    if (H5Dread(dataSet, nativeType(typeFor<T>()), memory.id(), space.id(), H5P_DEFAULT,
+                values.data()) < 0)
       throw InputError(m_dataSet.name + " is damaged", lastError());
-    const std::size_t copies = m_facts.channels == 3 ? 1 : 3;  // grey becomes all three
     for (const T value : values) {
       if (std::isnan(double(value))) throw InputError("", "has a value that is not a number");
       if (std::isinf(double(value))) throw InputError("", "has an infinite value");
-      rgb = std::fill_n(rgb, copies, value);
     }
+    // Steps in `values` from one index of an axis to the next.
+    std::vector<std::size_t> step(count.size(), 1);
+    for (std::size_t axis = count.size() - 1; axis-- > 0;)
+      step[axis] = step[axis + 1] * count[axis + 1];
+    const std::size_t colourStep =
+        colours == 3 ? step[*axes.colours] : 0;  // grey becomes all three
+    for (std::size_t y = 0; y < rows; ++y)
+      for (std::size_t x = 0; x < m_facts.width; ++x)
+        for (std::size_t c = 0; c < 3; ++c)
+          *rgb++ = values[y * step[axes.height] + x * step[axes.width] + c * colourStep];
   }
 
   DataSet m_dataSet;
@@ -233,14 +301,20 @@ class Hdf5Input : public ImageInput {
 
 }  // namespace
 
+/// The library looks for its signature at these places; MATLAB has a text of 512 bytes before it.
 bool isHdf5(const fs::path& file) {
   constexpr std::string_view signature("\x89HDF\r\n\x1a\n");
   std::error_code error;
   if (!fs::is_regular_file(file, error)) return false;
-  std::array<char, signature.size()> begin{};
   std::ifstream in(file, std::ios::binary);
-  in.read(begin.data(), std::streamsize(begin.size()));
-  return in && std::string_view(begin.data(), begin.size()) == signature;
+  for (const int at : {0, 512, 1024, 2048}) {
+    std::array<char, signature.size()> begin{};
+    in.seekg(at);
+    in.read(begin.data(), std::streamsize(begin.size()));
+    if (!in) return false;
+    if (std::string_view(begin.data(), begin.size()) == signature) return true;
+  }
+  return false;
 }
 
 /// Uses another process, because libhdf5 1.10 crashes on some damaged files.

@@ -52,14 +52,15 @@ std::unique_ptr<ImageInput> openPicture(const std::filesystem::path& file);
 std::unique_ptr<ImageInput> isolatedInput(const std::filesystem::path& file,
                                           std::function<std::unique_ptr<ImageInput>()> open);
 
-/// Whether a file is HDF5, by its first bytes.
+/// Whether a file is HDF5, by its first bytes or those behind a block of 512, 1024 or 2048, as
+/// MATLAB's files of version 7.3 have it.
 bool isHdf5(const std::filesystem::path& file);
 
-/// Opens the views of a data set of rows × columns × height × width × 3 values, as the old HCI
-/// light field archive has them ("LF"), or without the last axis. They are frames, row by row
-/// (ImageFacts::columns), and are read only as values of their own type. An empty `name` stands for
-/// the file's only data set that can be views, or "LF". Throws InputError that names the file and
-/// its data sets.
+/// Opens the views of a data set, such as "LF" of the old HCI light field archive, or of the Light
+/// Field Toolbox for MATLAB; viewAxesOf() says which axes are which. They are frames, row by row;
+/// ImageFacts::columns is 0 if one axis has all of them. They are read only as values of their own
+/// type. An empty `name` stands for the file's only data set that can be views, or "LF". Throws
+/// InputError that names the file and its data sets.
 std::unique_ptr<ImageInput> openHdf5(const std::filesystem::path& file,
                                      const std::string& name = {});
 
