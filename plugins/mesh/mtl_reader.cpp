@@ -3,11 +3,10 @@
 
 #include <algorithm>
 #include <array>
-#include <filesystem>
 #include <utility>
 
 #include "errors.h"
-#include "mesh_reader.h"
+#include "found_files.h"
 
 namespace hogelscope::mesh {
 
@@ -21,16 +20,17 @@ void MtlReader::damaged(const std::string& why) const {
 }
 
 std::string MtlReader::read(const std::string& name) {
-  const std::string path = besides(m_reading.file(), name);
+  const auto [path, isThere, isElsewhere] = foundBesides(m_reading.file(), name);
   const std::string same = sameName(path);
   const auto known = std::ranges::find(m_libraries, same, &Library::file);
   if (known != m_libraries.end()) {
     std::rotate(known, known + 1, m_libraries.end());
     return {};
   }
-  std::error_code error;
-  if (!std::filesystem::is_regular_file(path, error)) return "there is no file " + shortName(path);
-  const std::string text = m_reading.bytesOf(path);
+  if (!isThere) return "there is no file " + shortName(path);
+  if (isElsewhere) noteElsewhere(name, path);
+  std::string text = m_reading.bytesOf(path);
+  joinContinuedLines(text);
   m_mesh.files.push_back(path);
   m_libraries.push_back({same, {}});
   m_file = path;
@@ -63,9 +63,9 @@ void MtlReader::readLine(Words words) {
   } else if (command == "Ke") {
     material.emission = readColour(words, command);
   } else if (command == "map_Kd") {
-    material.layer.texture = readTexture(std::string(words.rest()), command);
+    readTexture(words, command, material.layer);
   } else if (command == "map_Ke") {
-    material.glow.texture = readTexture(std::string(words.rest()), command);
+    readTexture(words, command, material.glow);
     if (material.emission == Linear{}) material.emission = {1, 1, 1};
   } else if (double opacity = 1; command == "d" || command == "Tr") {
     if (words.number(opacity) && opacity != (command == "d" ? 1 : 0)) m_skipped.emplace(command);
@@ -95,13 +95,66 @@ Linear MtlReader::readColour(Words& words, std::string_view command) const {
   return {linearFloat(rgb[0]), linearFloat(rgb[1]), linearFloat(rgb[2])};
 }
 
-int MtlReader::readTexture(const std::string& name, std::string_view command) {
-  if (name.starts_with('-')) damaged("options of " + std::string(command) + " are not supported");
-  const std::string path = besides(m_file, name);
-  std::error_code error;
-  if (!std::filesystem::is_regular_file(path, error))
-    damaged("there is no file " + shortName(path));
-  return m_textures.add(path);
+/// Options stand before the name. Those that change nothing are skipped; -s and -o scale and shift
+/// the coordinates, whose v points up.
+void MtlReader::readTexture(Words words, std::string_view command, Layer& layer) {
+  layer = {};
+  Words rest = words;
+  for (std::string_view option = rest.next(); option.starts_with('-'); option = rest.next()) {
+    const bool isScale = option == "-s";
+    if (isScale || option == "-o" || option == "-t" || option == "-mm") {
+      std::array<double, 3> values{};
+      values.fill(isScale ? 1 : 0);
+      if (option == "-mm") values[1] = 1;
+      Words numbers = rest;
+      for (double& value : values) {
+        double read = 0;
+        if (!numbers.number(read)) break;
+        value = read;
+        (void)rest.next();
+      }
+      applyOption(option, values, layer);
+    } else {
+      static constexpr std::array<std::array<std::string_view, 2>, 8> neutral{
+          {{"-clamp", "off"},
+           {"-blendu", "on"},
+           {"-blendv", "on"},
+           {"-cc", "off"},
+           {"-boost", "0"},
+           {"-bm", "1"},
+           {"-imfchan", "l"},
+           {"-type", "sphere"}}};
+      const std::string_view value = rest.next();
+      const bool isClamp = option == "-clamp" && value == "on";
+      if (isClamp) layer.wrap[0] = layer.wrap[1] = Wrap::clamp;
+      if (!isClamp && std::ranges::find(neutral, std::array{option, value}) == neutral.end())
+        damaged("option " + shortName(std::string(option)) + " of " + std::string(command) +
+                " is not supported");
+    }
+    words = rest;
+  }
+  const std::string name(words.rest());
+  const auto [path, isThere, isElsewhere] = foundBesides(m_file, name);
+  if (!isThere) damaged("there is no file " + shortName(path));
+  if (isElsewhere) noteElsewhere(name, path);
+  layer.texture = m_textures.add(path);
+}
+
+void MtlReader::applyOption(std::string_view option, const std::array<double, 3>& values,
+                            Layer& layer) const {
+  if (option == "-s") {
+    layer.axes = {Vec2{values[0], 0}, Vec2{0, values[1]}};
+    layer.origin.y += 1 - values[1];
+  } else if (option == "-o") {
+    layer.origin.x += values[0];
+    layer.origin.y -= values[1];
+  } else if (values != std::array<double, 3>{0, option == "-mm" ? 1.0 : 0.0, 0}) {
+    damaged("option " + std::string(option) + " of a picture is not supported");
+  }
+}
+
+void MtlReader::noteElsewhere(const std::string& name, const std::string& path) {
+  m_mesh.notes.push_back("Its file " + shortName(name) + " is read as " + shortName(path) + ".");
 }
 
 void MtlReader::finish() {

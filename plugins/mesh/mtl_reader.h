@@ -3,6 +3,7 @@
 // skipped; those with a visible effect are noted.
 #pragma once
 
+#include <array>
 #include <map>
 #include <optional>
 #include <set>
@@ -33,7 +34,10 @@ class MtlReader {
   void readLine(Words words);
   void beginMaterial(const std::string& name);
   [[nodiscard]] Linear readColour(Words& words, std::string_view command) const;
-  [[nodiscard]] int readTexture(const std::string& name, std::string_view command);
+  void readTexture(Words words, std::string_view command, Layer& layer);
+  void applyOption(std::string_view option, const std::array<double, 3>& values,
+                   Layer& layer) const;
+  void noteElsewhere(const std::string& name, const std::string& path);
   [[noreturn]] void damaged(const std::string& why) const;
 
   struct Library {

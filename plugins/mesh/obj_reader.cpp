@@ -27,9 +27,7 @@ class ObjReader {
   Mesh read() {
     std::string text = m_reading.bytesOf(m_file);
     m_mesh.files.push_back(m_file);
-    // A backslash continues a line.
-    for (std::size_t at = text.find("\\\n"); at != std::string::npos; at = text.find("\\\n", at))
-      text[at] = text[at + 1] = ' ';
+    joinContinuedLines(text);
     forLines(text, [&](std::string_view line, std::size_t number) {
       m_line = number;
       if (number % 65536 == 0)
@@ -83,11 +81,21 @@ class ObjReader {
       if (!material) damaged("no .mtl file has the material " + shortName(name));
       m_material = *material;
     } else if (command == "mtllib") {
-      const std::string problem = m_libraries.read(std::string(words.rest()));
-      if (!problem.empty()) damaged(problem);
+      readLibraries(words);
     } else {
       note(command);
     }
+  }
+
+  /// The line has one name, which may have blanks, or several names.
+  void readLibraries(Words& words) {
+    const std::string problem = m_libraries.read(std::string(words.rest()));
+    if (problem.empty()) return;
+    std::vector<std::string> names;
+    for (std::string_view name = words.next(); !name.empty(); name = words.next())
+      names.emplace_back(name);
+    for (const std::string& name : names)
+      if (names.size() < 2 || !m_libraries.read(name).empty()) damaged(problem);
   }
 
   void note(std::string_view command) {

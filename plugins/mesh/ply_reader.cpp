@@ -1,74 +1,72 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Stanford's PLY, text and binary: points with normals and colours, faces, triangle strips. Colours
-// are interpreted as sRGB. Other elements and properties are skipped, with a note.
+// Stanford's PLY, text and binary: points with normals, colours and texture coordinates, faces with
+// colours or with texture coordinates of their corners, triangle strips. Colours are interpreted as
+// sRGB; the pictures are named by comments "TextureFile NAME", as VCGLIB writes them. Other
+// elements and properties are skipped, with a note.
 #include <algorithm>
 #include <array>
 #include <bit>
 #include <charconv>
 #include <cstring>
+#include <fstream>
+#include <optional>
 #include <string_view>
+#include <utility>
 
 #include "errors.h"
+#include "found_files.h"
 #include "mesh_reader.h"
+#include "ply_header.h"
+#include "textures.h"
 
 namespace hogelscope::mesh {
 
 namespace {
 
-enum class Type : std::uint8_t { i8, u8, i16, u16, i32, u32, f32, f64, unknown };
+/// The names of a row's properties, with their places in PlyReader::m_values. A face has colours
+/// and the number of its picture.
+constexpr std::array<std::pair<std::string_view, std::size_t>, 18> valueNames{{{"x", 0},
+                                                                               {"y", 1},
+                                                                               {"z", 2},
+                                                                               {"nx", 3},
+                                                                               {"ny", 4},
+                                                                               {"nz", 5},
+                                                                               {"red", 6},
+                                                                               {"green", 7},
+                                                                               {"blue", 8},
+                                                                               {"s", 9},
+                                                                               {"t", 10},
+                                                                               {"u", 9},
+                                                                               {"v", 10},
+                                                                               {"texture_u", 9},
+                                                                               {"texture_v", 10},
+                                                                               {"texture_s", 9},
+                                                                               {"texture_t", 10},
+                                                                               {"texnumber", 11}}};
+constexpr std::size_t firstColour = 6;
+constexpr std::size_t firstCoordinate = 9;
+constexpr std::size_t pictureNumber = 11;
 
-Type typeOf(std::string_view name) {
-  static constexpr std::array<std::pair<std::string_view, Type>, 16> names{
-      {{"char", Type::i8},
-       {"uchar", Type::u8},
-       {"short", Type::i16},
-       {"ushort", Type::u16},
-       {"int", Type::i32},
-       {"uint", Type::u32},
-       {"float", Type::f32},
-       {"double", Type::f64},
-       {"int8", Type::i8},
-       {"uint8", Type::u8},
-       {"int16", Type::i16},
-       {"uint16", Type::u16},
-       {"int32", Type::i32},
-       {"uint32", Type::u32},
-       {"float32", Type::f32},
-       {"float64", Type::f64}}};
-  for (const auto& [known, type] : names)
-    if (known == name) return type;
-  return Type::unknown;
+std::optional<std::size_t> placeOf(std::string_view name) {
+  const auto found = std::ranges::find(valueNames, name, &decltype(valueNames)::value_type::first);
+  return found == valueNames.end() ? std::nullopt : std::optional(found->second);
 }
-
-/// The names of a point's properties, in the order of PlyReader::m_values.
-constexpr std::array<std::string_view, 9> pointNames{"x",  "y",   "z",     "nx",  "ny",
-                                                     "nz", "red", "green", "blue"};
-
-constexpr std::array<std::size_t, 8> typeBytes{1, 1, 2, 2, 4, 4, 4, 8};
-
-struct Property {
-  std::string name;
-  Type type = Type::unknown;
-  Type countType = Type::unknown;  ///< of a list's length; unknown: not a list
-};
-
-struct Element {
-  std::string name;
-  double count = 0;
-  std::vector<Property> properties;
-};
 
 class PlyReader {
  public:
   explicit PlyReader(Reading& reading)
-      : m_file(reading.file()), m_reading(reading), m_bytes(reading.bytesOf(m_file)) {}
+      : m_file(reading.file()),
+        m_reading(reading),
+        m_bytes(reading.bytesOf(m_file)),
+        m_textures(reading) {}
 
   Mesh read() {
     m_rest = m_bytes;
-    readHeader();
+    m_header = readPlyHeader(m_file, m_rest);
     m_mesh.files.push_back(m_file);
     m_mesh.materials.emplace_back();
-    for (const Element& element : m_elements) {
+    addPictures();
+    for (const PlyElement& element : m_header.elements) {
       // Each row has at least one byte per property.
       if (element.count * double(element.properties.size()) > double(m_rest.size())) endsEarly();
       if (element.name == "vertex") preparePoints(element);
@@ -77,95 +75,24 @@ class PlyReader {
         readRow(element);
       }
     }
-    m_mesh.materialOf.assign(m_mesh.triangles.size(), 0);
+    const bool isOnePicture =
+        !m_mesh.uv.empty() && m_corners.empty() && m_mesh.materials.size() > 1;
+    m_mesh.materialOf.resize(m_mesh.triangles.size(), isOnePicture ? 1 : 0);
+    splitCorners();
+    m_mesh.textures = m_textures.decode();
+    m_mesh.files.insert(m_mesh.files.end(), m_textures.files().begin(), m_textures.files().end());
     addNotes();
     return std::move(m_mesh);
   }
 
  private:
-  enum class Format : std::uint8_t { text, little, big };
-
-  [[noreturn]] void damaged(const std::string& why) const {
-    fail(m_file, "is no PLY that can be read", why);
-  }
+  [[noreturn]] void damaged(const std::string& why) const { refusePly(m_file, why); }
   [[noreturn]] void endsEarly() const {
     fail(m_file, "is damaged", "it ends before its last entry");
   }
 
-  std::string_view nextLine() {
-    const std::size_t end = m_rest.find('\n');
-    if (end == std::string_view::npos) damaged("its header has no end_header");
-    std::string_view line = m_rest.substr(0, end);
-    m_rest.remove_prefix(end + 1);
-    if (line.ends_with('\r')) line.remove_suffix(1);
-    return line;
-  }
-
-  static std::vector<std::string_view> wordsOf(std::string_view line) {
-    std::vector<std::string_view> words;
-    while (true) {
-      line.remove_prefix(std::min(line.find_first_not_of(" \t"), line.size()));
-      if (line.empty()) return words;
-      words.push_back(line.substr(0, line.find_first_of(" \t")));
-      line.remove_prefix(words.back().size());
-    }
-  }
-
-  void readHeader() {
-    if (nextLine() != "ply") damaged("its first line is not \"ply\"");
-    for (std::string_view line = nextLine(); line != "end_header"; line = nextLine()) {
-      const std::vector<std::string_view> words = wordsOf(line);
-      if (words.empty() || words[0] == "comment" || words[0] == "obj_info") continue;
-      if (words[0] == "format" && words.size() > 1) {
-        readFormat(words[1]);
-      } else if (words[0] == "element" && words.size() == 3) {
-        Element element{std::string(words[1]), 0, {}};
-        const auto [end, error] =
-            std::from_chars(words[2].data(), words[2].data() + words[2].size(), element.count);
-        if (error != std::errc() || !(element.count >= 0 && element.count < 4e9))
-          damaged("an element's count is no number");
-        m_elements.push_back(element);
-      } else if (words[0] == "property" && !m_elements.empty()) {
-        readProperty(words);
-      } else {
-        damaged("its header has the line " + shortName(std::string(line)));
-      }
-    }
-    for (std::size_t k = 0; k < m_elements.size(); ++k) {
-      const Element& element = m_elements[k];
-      if (element.properties.empty() && element.count > 0)
-        damaged("element " + shortName(element.name) + " has no properties");
-      for (std::size_t i = 0; i < k; ++i)
-        if (m_elements[i].name == element.name)
-          damaged("its header has two elements " + shortName(element.name));
-    }
-  }
-
-  void readFormat(std::string_view name) {
-    if (name == "ascii")
-      m_format = Format::text;
-    else if (name == "binary_little_endian")
-      m_format = Format::little;
-    else if (name == "binary_big_endian")
-      m_format = Format::big;
-    else
-      damaged("its format is unknown");
-  }
-
-  void readProperty(const std::vector<std::string_view>& words) {
-    const bool isList = words.size() == 5 && words[1] == "list";
-    if (!isList && words.size() != 3) damaged("a property has no type and name");
-    Property property;
-    property.name = words.back();
-    property.type = typeOf(words[isList ? 3 : 1]);
-    if (isList) property.countType = typeOf(words[2]);
-    if (property.type == Type::unknown || (isList && property.countType == Type::unknown))
-      damaged("property " + shortName(property.name) + " has an unknown type");
-    m_elements.back().properties.push_back(property);
-  }
-
-  double readValue(Type type) {
-    if (m_format == Format::text) {
+  double readValue(PlyType type) {
+    if (m_header.format == PlyFormat::text) {
       m_rest.remove_prefix(std::min(m_rest.find_first_not_of(" \t\r\n"), m_rest.size()));
       if (m_rest.empty()) endsEarly();
       double value = 0;
@@ -177,12 +104,12 @@ class PlyReader {
       return value;
     }
     std::array<char, 8> bytes{};
-    const std::size_t size = typeBytes[std::size_t(type)];
+    const std::size_t size = plyTypeBytes[std::size_t(type)];
     if (m_rest.size() < size) endsEarly();
     const std::string_view stored = m_rest.substr(0, size);
     m_rest.remove_prefix(size);
     const bool isSwapped =
-        (m_format == Format::big) == (std::endian::native == std::endian::little);
+        (m_header.format == PlyFormat::big) == (std::endian::native == std::endian::little);
     if (isSwapped)
       std::ranges::reverse_copy(stored, bytes.begin());
     else
@@ -190,66 +117,114 @@ class PlyReader {
     return valueOf(type, bytes.data());
   }
 
-  static double valueOf(Type type, const char* bytes) {
+  static double valueOf(PlyType type, const char* bytes) {
     const auto as = [&]<class T>(T value) {
       std::memcpy(&value, bytes, sizeof value);
       return double(value);
     };
     switch (type) {
-      case Type::i8:
+      case PlyType::i8:
         return as(std::int8_t{});
-      case Type::u8:
+      case PlyType::u8:
         return as(std::uint8_t{});
-      case Type::i16:
+      case PlyType::i16:
         return as(std::int16_t{});
-      case Type::u16:
+      case PlyType::u16:
         return as(std::uint16_t{});
-      case Type::i32:
+      case PlyType::i32:
         return as(std::int32_t{});
-      case Type::u32:
+      case PlyType::u32:
         return as(std::uint32_t{});
-      case Type::f32:
+      case PlyType::f32:
         return as(float{});
       default:
         return as(double{});
     }
   }
 
-  void preparePoints(const Element& element) {
-    const auto has = [&](std::string_view name) {
-      return std::any_of(element.properties.begin(), element.properties.end(),
-                         [&](const Property& p) { return p.name == name; });
-    };
-    if (!has("x") || !has("y") || !has("z")) damaged("its points have no x, y, z");
-    m_hasNormals = has("nx") && has("ny") && has("nz");
-    m_hasColours = has("red") && has("green") && has("blue");
-    m_reading.take(element.count * (sceneBytesOfPoint + sizeof(Vec3) +
-                                    (m_hasNormals ? sizeof(m_mesh.normals[0]) : 0) +
-                                    (m_hasColours ? sizeof(Linear) : 0)));
+  /// Whether an element has single values for these places in m_values.
+  static bool has(const PlyElement& element, std::size_t first, std::size_t count) {
+    for (std::size_t place = first; place < first + count; ++place)
+      if (std::ranges::none_of(element.properties, [&](const PlyProperty& p) {
+            return !p.isList() && placeOf(p.name) == place;
+          }))
+        return false;
+    return true;
+  }
+
+  /// Gives each picture that can be shown a material; says what of the header decides on colours.
+  void addPictures() {
+    const PlyElement* const points = m_header.find("vertex");
+    const PlyElement* const faces = m_header.find("face");
+    m_hasCornerPlaces = faces != nullptr && std::ranges::any_of(faces->properties, isCornerPlaces);
+    m_hasPlaces = !m_hasCornerPlaces && points != nullptr && has(*points, firstCoordinate, 2);
+    m_hasFaceColours = faces != nullptr && has(*faces, firstColour, 3) &&
+                       !(points != nullptr && has(*points, firstColour, 3));
+    for (const std::string& name : m_header.pictures) {
+      const auto [path, isThere, isElsewhere] = foundBesides(m_file, name);
+      std::string why;
+      if (!m_hasCornerPlaces && !m_hasPlaces)
+        why = "no texture coordinates are there";
+      else if (!isThere)
+        why = "there is no file " + shortName(path);
+      else if (!isPngOrJpeg(path))
+        why = "it is neither PNG nor JPEG";
+      if (why.empty() && isElsewhere)
+        m_mesh.notes.push_back("Its file " + shortName(name) + " is read as " + shortName(path) +
+                               ".");
+      if (!why.empty())
+        m_mesh.notes.push_back("Its picture " + shortName(name) + " is not shown: " + why + ".");
+      m_mesh.materials.emplace_back();
+      if (why.empty()) m_mesh.materials.back().layer.texture = m_textures.add(path);
+    }
+    if (m_header.pictures.empty()) m_hasCornerPlaces = m_hasPlaces = false;
+  }
+
+  static bool isPngOrJpeg(const std::string& path) {
+    std::array<char, 3> begin{};
+    std::ifstream(path, std::ios::binary).read(begin.data(), begin.size());
+    const std::string_view text(begin.data(), begin.size());
+    return text == "\x89PN" || text == "\xff\xd8\xff";
+  }
+
+  void preparePoints(const PlyElement& element) {
+    if (!has(element, 0, 3)) damaged("its points have no x, y, z");
+    m_hasNormals = has(element, 3, 3);
+    m_hasColours = has(element, firstColour, 3);
+    m_reading.take(
+        element.count *
+        (sceneBytesOfPoint + sizeof(Vec3) + (m_hasNormals ? sizeof(m_mesh.normals[0]) : 0) +
+         (m_hasColours ? sizeof(Linear) : 0) + (m_hasPlaces ? sizeof(m_mesh.uv[0]) : 0)));
     m_mesh.points.reserve(std::size_t(element.count));
     if (m_hasNormals) m_mesh.normals.reserve(std::size_t(element.count));
     if (m_hasColours) m_mesh.colours.reserve(std::size_t(element.count));
+    if (m_hasPlaces) m_mesh.uv.reserve(std::size_t(element.count));
   }
 
-  void readRow(const Element& element) {
+  void readRow(const PlyElement& element) {
     const bool isPoint = element.name == "vertex";
     m_values.fill(0);
-    for (const Property& property : element.properties) {
-      if (property.countType != Type::unknown)
+    m_polygon.clear();
+    m_polygonPlaces.clear();
+    for (const PlyProperty& property : element.properties) {
+      if (property.isList())
         readList(property, shapeOf(element, property));
       else
         keepValue(property, readValue(property.type));
     }
     if (isPoint) appendPoint();
+    if (!m_polygon.empty()) addPolygon();
   }
 
-  void keepValue(const Property& property, double value) {
-    const auto found = std::ranges::find(pointNames, property.name);
-    if (found == pointNames.end()) return;
-    const auto at = std::size_t(found - pointNames.begin());
+  void keepValue(const PlyProperty& property, double value) {
+    const std::optional<std::size_t> at = placeOf(property.name);
+    if (!at) return;
     // Colours are 0 … 255, 0 … 65535, or real numbers 0 … 1.
-    const double white = property.type == Type::u8 ? 255 : property.type == Type::u16 ? 65535 : 1;
-    m_values[at] = at >= 6 ? linearOf(std::clamp(value / white, 0.0, 1.0)) : value;
+    const double white = property.type == PlyType::u8    ? 255
+                         : property.type == PlyType::u16 ? 65535
+                                                         : 1;
+    const bool isColour = *at >= firstColour && *at < firstCoordinate;
+    m_values[*at] = isColour ? linearOf(std::clamp(value / white, 0.0, 1.0)) : value;
   }
 
   void appendPoint() {
@@ -260,18 +235,26 @@ class PlyReader {
       m_mesh.normals.push_back({float(n.x), float(n.y), float(n.z)});
     }
     if (m_hasColours) m_mesh.colours.push_back({float(v[6]), float(v[7]), float(v[8])});
+    if (m_hasPlaces) m_mesh.uv.push_back({float(v[9]), float(1 - v[10])});  // v points up there
   }
 
-  enum class Shape : std::uint8_t { none, polygon, strips };
+  enum class Shape : std::uint8_t { none, polygon, strips, places };
 
-  static Shape shapeOf(const Element& element, const Property& property) {
+  static bool isCornerPlaces(const PlyProperty& property) {
+    return property.isList() && property.name == "texcoord";
+  }
+
+  [[nodiscard]] Shape shapeOf(const PlyElement& element, const PlyProperty& property) const {
+    if (element.name == "face" && m_hasCornerPlaces && isCornerPlaces(property))
+      return Shape::places;
     if (!property.name.starts_with("vertex_ind")) return Shape::none;
     if (element.name == "tristrips") return Shape::strips;
     return element.name == "face" ? Shape::polygon : Shape::none;
   }
 
-  /// Converts a polygon to a fan of triangles. In a list of strips, -1 ends a strip.
-  void readList(const Property& property, Shape shape) {
+  /// Keeps the points of a polygon, or the texture coordinates of its corners; converts strips to
+  /// triangles, of which -1 ends one.
+  void readList(const PlyProperty& property, Shape shape) {
     const double count = readValue(property.countType);
     if (!(count >= 0 && count <= double(m_rest.size()))) endsEarly();
     Corners corners{};
@@ -280,20 +263,76 @@ class PlyReader {
       if (k % 65536 == 65535) m_reading.poll();
       const double index = readValue(property.type);
       if (shape == Shape::none) continue;
+      if (shape == Shape::places) {
+        m_polygonPlaces.push_back(float(index));
+        continue;
+      }
       if (shape == Shape::strips && index == -1) {
         known = 0;
         continue;
       }
       if (!(index >= 0 && index < 4294967295.0)) damaged("a face names a point that is not there");
+      if (shape == Shape::polygon) {
+        m_polygon.push_back(std::uint32_t(index));
+        continue;
+      }
       corners[known] = std::uint32_t(index);
       if (known < 2) {
         ++known;
         continue;
       }
       addTriangle(corners);
-      if (shape == Shape::strips) corners[0] = corners[1];
+      corners[0] = corners[1];
       corners[1] = corners[2];
     }
+  }
+
+  /// Converts a polygon to a fan of triangles.
+  void addPolygon() {
+    const bool hasPlaces =
+        !m_polygonPlaces.empty() && m_polygonPlaces.size() >= 2 * m_polygon.size();
+    const double picture = m_values[pictureNumber];
+    const bool isShown = hasPlaces && picture >= 0 && picture < double(m_header.pictures.size());
+    const auto placeAt = [&](std::size_t k) {
+      if (!hasPlaces) return std::array<float, 2>{};
+      return std::array{m_polygonPlaces[2 * k], 1 - m_polygonPlaces[2 * k + 1]};
+    };
+    for (std::size_t k = 2; k < m_polygon.size(); ++k) {
+      addTriangle({m_polygon[0], m_polygon[k - 1], m_polygon[k]});
+      if (!m_hasCornerPlaces && !m_hasFaceColours) continue;
+      m_reading.take(sizeof(CornerValues) + sizeof(std::uint32_t));
+      m_mesh.materialOf.resize(m_mesh.triangles.size() - 1, 0);
+      m_mesh.materialOf.push_back(isShown ? std::uint32_t(picture) + 1 : 0);
+      m_corners.resize(m_mesh.triangles.size() - 1);
+      m_corners.push_back({{placeAt(0), placeAt(k - 1), placeAt(k)},
+                           {float(m_values[6]), float(m_values[7]), float(m_values[8])}});
+    }
+  }
+
+  /// Gives each corner a point of its own where faces have colours or coordinates.
+  void splitCorners() {
+    if (m_corners.empty()) return;
+    m_corners.resize(m_mesh.triangles.size());
+    for (const Corners& corners : m_mesh.triangles)
+      if (std::ranges::max(corners) >= m_mesh.points.size()) return;  // refused by readMesh()
+    const std::size_t count = 3 * m_mesh.triangles.size();
+    m_reading.take(double(count) * (sceneBytesOfPoint + sizeof(Vec3) + sizeof(Linear) +
+                                    sizeof(m_mesh.normals[0]) + sizeof(m_mesh.uv[0])));
+    Mesh split;
+    split.points.reserve(count);
+    for (std::size_t t = 0; t < m_mesh.triangles.size(); ++t)
+      for (std::size_t k = 0; k < 3; ++k) {
+        const std::uint32_t point = std::exchange(m_mesh.triangles[t][k], std::uint32_t(3 * t + k));
+        split.points.push_back(m_mesh.points[point]);
+        if (m_hasNormals) split.normals.push_back(m_mesh.normals[point]);
+        if (m_hasColours) split.colours.push_back(m_mesh.colours[point]);
+        if (m_hasFaceColours) split.colours.push_back(m_corners[t].colour);
+        if (m_hasCornerPlaces) split.uv.push_back(m_corners[t].places[k]);
+      }
+    m_mesh.points = std::move(split.points);
+    m_mesh.normals = std::move(split.normals);
+    m_mesh.colours = std::move(split.colours);
+    m_mesh.uv = std::move(split.uv);
   }
 
   void addTriangle(const Corners& corners) {
@@ -305,17 +344,33 @@ class PlyReader {
 
   void addNotes() {
     std::vector<std::string> elements;
-    std::vector<std::string> properties;
-    for (const Element& element : m_elements) {
+    std::vector<std::string> ofPoints;
+    std::vector<std::string> ofFaces;
+    for (const PlyElement& element : m_header.elements) {
       const bool isPoint = element.name == "vertex";
-      const bool isShown = isPoint || element.name == "face" || element.name == "tristrips";
-      if (!isShown && element.count > 0) elements.push_back(element.name);
-      for (const Property& property : element.properties)
-        if (isPoint && std::ranges::find(pointNames, property.name) == pointNames.end())
-          properties.push_back(property.name);
+      const bool isFace = element.name == "face";
+      if (!isPoint && !isFace && element.name != "tristrips" && element.count > 0)
+        elements.push_back(element.name);
+      for (const PlyProperty& property : element.properties) {
+        if (isPoint && !isShownOfPoint(property)) ofPoints.push_back(property.name);
+        if (isFace && !isShownOfFace(property)) ofFaces.push_back(property.name);
+      }
     }
     if (!elements.empty()) m_mesh.notes.push_back(leftOut("elements", elements));
-    if (!properties.empty()) m_mesh.notes.push_back(leftOut("points' properties", properties));
+    if (!ofPoints.empty()) m_mesh.notes.push_back(leftOut("points' properties", ofPoints));
+    if (!ofFaces.empty()) m_mesh.notes.push_back(leftOut("faces' properties", ofFaces));
+  }
+
+  [[nodiscard]] bool isShownOfPoint(const PlyProperty& property) const {
+    const std::optional<std::size_t> place = placeOf(property.name);
+    return place && (*place < firstCoordinate || (*place < pictureNumber && m_hasPlaces));
+  }
+
+  [[nodiscard]] bool isShownOfFace(const PlyProperty& property) const {
+    if (property.name.starts_with("vertex_ind")) return true;
+    if (isCornerPlaces(property) || property.name == "texnumber") return m_hasCornerPlaces;
+    const std::optional<std::size_t> place = placeOf(property.name);
+    return place && *place >= firstColour && *place < firstCoordinate && m_hasFaceColours;
   }
 
   std::string m_file;
@@ -323,11 +378,23 @@ class PlyReader {
   std::string m_bytes;
   std::string_view m_rest;  ///< the unread rest
   Mesh m_mesh;
-  std::vector<Element> m_elements;
-  std::array<double, 9> m_values{};  ///< of a single point
-  Format m_format = Format::text;
+  /// What a triangle has beyond its points.
+  struct CornerValues {
+    std::array<std::array<float, 2>, 3> places{};  ///< texture coordinates
+    Linear colour{1, 1, 1};
+  };
+
+  Textures m_textures;
+  PlyHeader m_header;
+  std::array<double, 12> m_values{};     ///< of a single row
+  std::vector<std::uint32_t> m_polygon;  ///< points of a row
+  std::vector<float> m_polygonPlaces;    ///< texture coordinates of a row
+  std::vector<CornerValues> m_corners;   ///< of each triangle; empty if none has any
   bool m_hasNormals = false;
   bool m_hasColours = false;
+  bool m_hasPlaces = false;        ///< points have texture coordinates, which are shown
+  bool m_hasCornerPlaces = false;  ///< corners have
+  bool m_hasFaceColours = false;   ///< and points have none
 };
 
 }  // namespace

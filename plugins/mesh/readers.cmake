@@ -1,6 +1,7 @@
 # The readers of meshes, which need no Embree: for the plugin, and for the fuzzers, which build nothing else of it.
 add_library(hogelscope_mesh_readers STATIC
   ${CMAKE_CURRENT_LIST_DIR}/errors.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/found_files.cpp
   ${CMAKE_CURRENT_LIST_DIR}/gltf_accessors.cpp
   ${CMAKE_CURRENT_LIST_DIR}/gltf_data.cpp
   ${CMAKE_CURRENT_LIST_DIR}/gltf_layers.cpp
@@ -11,6 +12,7 @@ add_library(hogelscope_mesh_readers STATIC
   ${CMAKE_CURRENT_LIST_DIR}/mtl_reader.cpp
   ${CMAKE_CURRENT_LIST_DIR}/obj_reader.cpp
   ${CMAKE_CURRENT_LIST_DIR}/picture.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/ply_header.cpp
   ${CMAKE_CURRENT_LIST_DIR}/ply_reader.cpp
   ${CMAKE_CURRENT_LIST_DIR}/reading.cpp
   ${CMAKE_CURRENT_LIST_DIR}/srgb.cpp

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <string>
 #include <string_view>
 
 #include "srgb.h"
@@ -40,6 +41,18 @@ class Words {
  private:
   std::string_view m_rest;
 };
+
+/// Joins lines that a backslash at their end continues, blanks and a carriage return behind it
+/// aside. A comment ends with its line, since it may be a path of Windows.
+inline void joinContinuedLines(std::string& text) {
+  for (std::size_t at = text.find('\\'); at != std::string::npos; at = text.find('\\', at + 1)) {
+    const std::size_t end = text.find_first_not_of(" \t\r", at + 1);
+    if (end == std::string::npos || text[end] != '\n') continue;
+    const std::size_t line = text.rfind('\n', at) + 1;  // 0 without one
+    const std::size_t first = text.find_first_not_of(" \t", line);
+    if (text[first] != '#') std::fill_n(text.begin() + std::ptrdiff_t(at), end + 1 - at, ' ');
+  }
+}
 
 /// Calls `read` with each line and its number.
 template <class Read>

@@ -39,6 +39,14 @@ class TestMeshFiles : public QObject {
   void objHasMaterials();
   void plyOfEachFormat();
   void plyHasStrips();
+  void plyHasPictures_data();
+  void plyHasPictures();
+  void plyHasColouredFaces();
+  void plyNotes_data();
+  void plyNotes();
+  void objFromWindows_data();
+  void objFromWindows();
+  void optionsOfPictures();
   void namesWhatItRead();
   void readsAgainWhatHasChanged();
   void stopsWhenAsked();
@@ -175,6 +183,179 @@ void TestMeshFiles::plyHasStrips() {
   const mesh::Mesh mesh = scene.read("a.ply");
   QCOMPARE(mesh.triangles, (std::vector<mesh::Corners>{{0, 1, 2}, {1, 2, 3}, {3, 4, 5}}));
   QCOMPARE(mesh.notes.size(), std::size_t(0));
+}
+
+void TestMeshFiles::plyHasPictures_data() {
+  QTest::addColumn<QString>("points");
+  QTest::addColumn<QString>("faces");
+  QTest::addColumn<QString>("rows");
+  const char* const triangles = "property list uchar int vertex_indices\n";
+  const char* const corners = "property list uchar float texcoord\n";
+  const QString plain = "0 0 0\n1 0 0\n1 1 0\n0 1 0\n";
+  for (const char* names : {"s t", "u v", "texture_u texture_v"}) {
+    const QString both(names);
+    QTest::newRow(names) << QString("property float %1\nproperty float %2\n")
+                                .arg(both.section(' ', 0, 0), both.section(' ', 1, 1))
+                         << triangles
+                         << "0 0 0 0 0\n1 0 0 1 0\n1 1 0 1 1\n0 1 0 0 1\n3 0 1 2\n3 0 2 3\n";
+  }
+  QTest::newRow("corners") << "" << QString(triangles) + corners
+                           << plain + "3 0 1 2 6 0 0 1 0 1 1\n3 0 2 3 6 0 0 1 1 0 1\n";
+  QTest::newRow("before the points' indices")
+      << "" << QString(corners) + triangles
+      << plain + "6 0 0 1 0 1 1 3 0 1 2\n6 0 0 1 1 0 1 3 0 2 3\n";
+  QTest::newRow("numbered pictures")
+      << "" << QString(triangles) + corners + "property int texnumber\n"
+      << plain + "3 0 1 2 6 0 0 1 0 1 1 1\n3 0 2 3 6 0 0 1 1 0 1 1\n";
+}
+
+/// Four texels, seen near their middles; the lower left one is at the origin.
+void TestMeshFiles::plyHasPictures() {
+  QFETCH(const QString, points);
+  QFETCH(const QString, faces);
+  QFETCH(const QString, rows);
+  const bool isSecond = faces.contains("texnumber");
+  Scene scene;
+  scene.add("skin.png", makePng(2, 2, {255, 0, 0, 0, 255, 0, 0, 0, 255, 255, 255, 0}));
+  scene.add("grey.png", makePng(1, 1, {9, 9, 9}));
+  scene.add("a.ply", "ply\nformat ascii 1.0\n" +
+                         std::string(isSecond ? "comment TextureFile grey.png\n" : "") +
+                         "comment TextureFile Skin.PNG\nelement vertex 4\nproperty float x\n"
+                         "property float y\nproperty float z\n" +
+                         points.toStdString() + "element face 2\n" + faces.toStdString() +
+                         "end_header\n" + rows.toStdString());
+  const mesh::Mesh mesh = scene.read("a.ply");
+  QCOMPARE(mesh.notes, std::vector<std::string>());
+  QCOMPARE(mesh.files.back(), scene.path("skin.png"));
+  scene.open({{"file", "a.ply"}, {"shading", "unlit"}, {"scale", 0.1}});
+  const auto isColour = [&](double x, double y, float r, float g, float b) {
+    const plugin::Colour seen = scene.see(x, y);
+    return std::abs(seen.r - r) + std::abs(seen.g - g) + std::abs(seen.b - b) < 30;
+  };
+  QVERIFY(isColour(0.025, 0.0751, 255, 0, 0));
+  QVERIFY(isColour(0.075, 0.0751, 0, 255, 0));
+  QVERIFY(isColour(0.025, 0.0249, 0, 0, 255));
+  QVERIFY(isColour(0.075, 0.0249, 255, 255, 0));
+}
+
+/// A polygon's colour, on points that its neighbour has too.
+void TestMeshFiles::plyHasColouredFaces() {
+  Scene scene;
+  scene.add("a.ply",
+            "ply\nformat ascii 1.0\nelement vertex 6\nproperty float x\nproperty float y\n"
+            "property float z\nelement face 2\nproperty list uchar int vertex_indices\n"
+            "property uchar red\nproperty uchar green\nproperty uchar blue\nend_header\n"
+            "0 0 0\n1 0 0\n2 0 0\n0 1 0\n1 1 0\n2 1 0\n"
+            "4 0 1 4 3 255 0 0\n4 1 2 5 4 0 0 255\n");
+  scene.open({{"file", "a.ply"}, {"shading", "unlit"}, {"scale", 0.1}});
+  QCOMPARE(scene.see(0.05, 0.06).r, 255.0F);
+  QCOMPARE(scene.see(0.05, 0.06).b, 0.0F);
+  QCOMPARE(scene.see(0.15, 0.06).b, 255.0F);
+  QCOMPARE(scene.see(0.15, 0.06).r, 0.0F);
+}
+
+void TestMeshFiles::plyNotes_data() {
+  QTest::addColumn<QString>("comment");
+  QTest::addColumn<QString>("faces");
+  QTest::addColumn<QString>("row");
+  QTest::addColumn<QString>("note");
+  const QString corners = "property list uchar float texcoord\n";
+  QTest::newRow("no picture") << "comment TextureFile none.png\n"
+                              << corners << "6 0 0 1 0 1 1"
+                              << "Its picture none.png is not shown: there is no file none.png.";
+  QTest::newRow("another format") << "comment TextureFile a.ply\n"
+                                  << corners << "6 0 0 1 0 1 1"
+                                  << "Its picture a.ply is not shown: it is neither PNG nor JPEG.";
+  QTest::newRow("no places")
+      << "comment TextureFile a b.png\n"
+      << ""
+      << ""
+      << "Its picture a b.png is not shown: no texture coordinates are there.";
+  QTest::newRow("places alone") << "" << corners << "6 0 0 1 0 1 1"
+                                << "Its faces' properties texcoord are not shown.";
+  QTest::newRow("other properties") << ""
+                                    << "property uchar flags\n"
+                                    << "7"
+                                    << "Its faces' properties flags are not shown.";
+}
+/// What is not shown is told.
+void TestMeshFiles::plyNotes() {
+  QFETCH(const QString, comment);
+  QFETCH(const QString, faces);
+  QFETCH(const QString, row);
+  QFETCH(const QString, note);
+  Scene scene;
+  scene.add("a.ply", ("ply\nformat ascii 1.0\n" + comment).toStdString() + plyHeader +
+                         "element face 1\nproperty list uchar int vertex_indices\n" +
+                         faces.toStdString() + "end_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2 " +
+                         row.toStdString() + "\n");
+  std::vector<std::string> notes = scene.read("a.ply").notes;
+  QCOMPARE(notes.size(), std::size_t(1));
+  const std::string folder = scene.path("");
+  if (const std::size_t at = notes[0].find(folder); at != std::string::npos)
+    notes[0].erase(at, folder.size());
+  QCOMPARE(QString::fromStdString(notes[0]), note);
+}
+
+void TestMeshFiles::objFromWindows_data() {
+  QTest::addColumn<QString>("library");
+  QTest::addColumn<QString>("picture");
+  QTest::addColumn<bool>("isElsewhere");
+  const auto add = [](const char* library, const char* picture, bool isElsewhere = false) {
+    QTest::newRow(qPrintable(QString(library) + " " + picture))
+        << library << picture << isElsewhere;
+  };
+  add("my scene.mtl", "textures/my wood.png");
+  add(".\\my scene.mtl", "textures\\my wood.png");
+  add("My Scene.MTL", "Textures\\My Wood.PNG");
+  add("\"my scene.mtl\"", "\"textures\\my wood.png\"");
+  add("my scene.mtl", ".\\none\\..\\..\\x\\textures\\my wood.png", true);
+  add("my scene.mtl", "C:\\Users\\me\\textures\\my wood.png", true);
+  add("my scene.mtl", "/home/me/textures/my wood.png", true);
+  add("my scene.mtl", "-s 1 1 1 -o 0 0 -clamp off -bm 1 textures/my wood.png");
+  add("other.mtl my_scene.mtl", "textures/my wood.png");
+}
+void TestMeshFiles::objFromWindows() {
+  QFETCH(const QString, library);
+  QFETCH(const QString, picture);
+  QFETCH(const bool, isElsewhere);
+  Scene scene;
+  QVERIFY(QDir(QString::fromStdString(scene.path(""))).mkdir("textures"));
+  scene.add("textures/my wood.png", makePng(1, 1, {255, 128, 64}));
+  const std::string materials =
+      "newmtl My Wood\r\nKd 1 1 1\r\nmap_Kd \\ \r\n " + picture.toStdString() + "\r\n";
+  scene.add("my scene.mtl", materials);
+  scene.add("my_scene.mtl", materials);
+  scene.add("other.mtl", "newmtl other\r\n");
+  scene.add("a.obj", "# written to C:\\temp\\\r\nmtllib " + library.toStdString() +
+                         "\r\nv 0 0 0\r\nv 1 0 0\r\nv 1 1 0\r\nv 0 1 0\r\nvt 0 0\r\n"
+                         "usemtl My Wood\r\nf -4/1 -3/1 \\\r\n -2/1 -1/1\r\n");
+  const mesh::Mesh mesh = scene.read("a.obj");
+  QCOMPARE(mesh.triangles.size(), std::size_t(2));
+  QCOMPARE(mesh.notes.size(), std::size_t(isElsewhere));
+  scene.open({{"file", "a.obj"}, {"shading", "unlit"}, {"scale", 0.1}});
+  QCOMPARE(scene.see(0.05, 0.06).r, 255.0F);
+  QVERIFY(std::abs(scene.see(0.05, 0.06).g - 128) < 0.5F);
+}
+
+/// -s and -o scale and shift coordinates, whose v points up; others are refused by name.
+void TestMeshFiles::optionsOfPictures() {
+  Scene scene;
+  scene.add("a.png", makePng(1, 1, {9, 8, 7}));
+  const std::string triangle = "mtllib a.mtl\nusemtl a\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+  const auto with = [&](const std::string& options) {
+    scene.add("a.mtl", "newmtl a\nmap_Kd " + options + " a.png\n");
+    return scene.refusal("a.obj", triangle);
+  };
+  QCOMPARE(with("-s 2 3 -o 0.25 0.5 -clamp on"), std::string());
+  const mesh::Layer layer = scene.read("a.obj").materials[1].layer;
+  QCOMPARE(layer.wrap[1], mesh::Wrap::clamp);
+  const double u = 0.4, v = 0.3;  // of the file
+  const Vec2 at = layer.place({float(u), float(1 - v)});
+  QVERIFY(std::abs(at.x - (2 * u + 0.25)) < 1e-6);
+  QVERIFY(std::abs(at.y - (1 - (3 * v + 0.5))) < 1e-6);
+  QCOMPARE(with("-bm 2"), std::string("a.mtl: line 2: option -bm of map_Kd is not supported"));
+  QCOMPARE(with("-t 1 0 0"), std::string("a.mtl: line 2: option -t of a picture is not supported"));
 }
 
 void TestMeshFiles::namesWhatItRead() {
