@@ -12,6 +12,7 @@
 #include "core/base/error.h"
 #include "core/base/text.h"
 #include "io/documents/session_file.h"
+#include "io/documents/sheet_file.h"
 #include "io/documents/twin_file.h"
 #include "io/files/folders.h"
 #include "io/opening/opening.h"
@@ -90,6 +91,7 @@ Session loadSessionOf(const CommandLine& line) {
   Session session = isAround ? sessionAroundFile(line) : checkedSession(line, calibration);
   if (isAround && calibration)
     for (CameraState& state : session.cameras) apply(*calibration, state);
+  for (const std::string& warning : sheetWarnings(session)) warn(line, warning);
   const bool mayHaveTwin = line.mayHave("twin") && line.has("twin");
   if (!mayHaveTwin || (line.mayHave("against") && line.text("against", "") == "design"))
     return session;

@@ -51,6 +51,8 @@ class TestSheet : public QObject {
   void liveScenes();
   void spots();
   void invertedViews();
+  void flippedSubPixels();
+  void everyJobSaysWhatIsIgnored();
   void unitsAgainstTheDesign();
   void mistakes_data();
   void mistakes();
@@ -278,6 +280,55 @@ void TestSheet::invertedViews() {
   QCOMPARE(contentOf("a/2.png"), right);
   QCOMPARE(program({"--render", "--session", "kept.json", "--output", "b", "--states", "2"}).err,
            "hogelscope: kept.json" + warning);
+}
+
+/// Red and blue sub-pixels that stand exchanged need each other's views: of grey views the panel's
+/// red is the other panel's blue, and an eye sees them exchanged, too.
+void TestSheet::flippedSubPixels() {
+  const QByteArray fine = QByteArray(calibration).replace("5.0", "17.3");
+  for (const int flip : {0, 1}) {
+    const QString k = QString::number(flip);
+    writeFile("visual" + k + ".json",
+              QByteArray(fine).replace("\"slope\"", "\"flipSubp\": " + k.toUtf8() + ", \"slope\""));
+    writeFile("s" + k + ".json", session("\"calibration\": \"visual" + k.toUtf8() + ".json\""));
+    QCOMPARE(program({"--export", "woven", "--session", "s" + k + ".json", "--output",
+                      "panel" + k + ".png"})
+                 .err,
+             QByteArray());
+    QCOMPARE(program({"--render", "--session", "s" + k + ".json", "--output", "seen" + k}).err,
+             QByteArray());
+  }
+  QVERIFY(program({"--info", "visual1.json"}).out.contains("stripes of blue, green, red"));
+  const auto isExchanged = [](const QString& a, const QString& b, int least) {
+    const QImage one(a), other(b);
+    int different = 0;
+    for (int y = 0; y < one.height(); ++y)
+      for (int x = 0; x < one.width(); ++x) {
+        const QRgb p = one.pixel(x, y), q = other.pixel(x, y);
+        if (qRed(p) != qBlue(q) || qGreen(p) != qGreen(q) || qBlue(p) != qRed(q)) return false;
+        different += p != q ? 1 : 0;
+      }
+    return different > least;
+  };
+  QVERIFY(isExchanged("panel0.png", "panel1.png", 1000));
+  QVERIFY(isExchanged("seen0/2.png", "seen1/2.png", 0));
+}
+
+void TestSheet::everyJobSaysWhatIsIgnored() {
+  writeFile(
+      "visual.json",
+      QByteArray(calibration).replace("\"slope\"", "\"invView\": 0, \"fringe\": 2, \"slope\""));
+  const QByteArray begin = "hogelscope: s.json: warning: display.calibration: ";
+  const QByteArray lines = begin + "fringe is 2, which is not used\n" + begin +
+                           "invView is 0, which is ignored: views go from left to right\n";
+  for (const QStringList& job : {QStringList{"--export", "woven", "--output", "panel.png"},
+                                 {"--render", "--output", "a"},
+                                 {"--measure", "--output", "m"}}) {
+    const Outcome outcome = program(job + QStringList{"--session", "s.json"});
+    QVERIFY2(outcome.err.startsWith(lines), job[0].toUtf8() + outcome.err);
+  }
+  const QByteArray info = program({"--info", "s.json"}).out;
+  QVERIFY2(info.contains("warning     display.calibration: invView is 0"), info);
 }
 
 /// A sheet that is mounted a sixth of a period aside shows the next view.

@@ -251,8 +251,8 @@ void TestBadLightFields::patterns_data() {
 
 void TestBadLightFields::quilts_data() {
   refusalColumns();
-  refused("does not divide", quilt("ok.png", R"(, "columns": 3, "rows": 3)"),
-          "ok.png: size: is 8×6 px, which does not divide into 3×3 views; mend lightField.columns "
+  refused("more views than pixels", quilt("ok.png", R"(, "columns": 9, "rows": 3)"),
+          "ok.png: size: is 8×6 px, which does not divide into 9×3 views; mend lightField.columns "
           "and rows");
   refused("neither columns nor suffix", quilt("ok.png"),
           "ok.png: lightField.columns: and rows are not given, and the file's name has no "

@@ -85,6 +85,8 @@ class TestLightFieldFile : public QObject {
   void incomingFlipsBoth();
   void quilts_data();
   void quilts();
+  void quiltsWithARest_data();
+  void quiltsWithARest();
   void mosaics_data();
   void mosaics();
   void tilesFromName_data();
@@ -224,6 +226,46 @@ void TestLightFieldFile::quilts() {
   QCOMPARE(firstWrong(lightField, expected, 0.5001), QString());
 }
 
+void TestLightFieldFile::quiltsWithARest_data() {
+  QTest::addColumn<int>("width");
+  QTest::addColumn<int>("height");
+  QTest::addColumn<int>("columns");
+  QTest::addColumn<int>("rows");
+  QTest::newRow("a pixel, as 5x9 in 4096x4096") << 41 << 91 << 5 << 9;
+  QTest::newRow("across alone") << 44 << 90 << 5 << 9;
+  QTest::newRow("down alone") << 40 << 98 << 5 << 9;
+  QTest::newRow("more than a tile") << 19 << 17 << 10 << 9;
+}
+
+/// Tiles of ⌊w/c⌋ × ⌊h/r⌋ px count from the bottom left corner.
+void TestLightFieldFile::quiltsWithARest() {
+  QFETCH(int, width);
+  QFETCH(int, height);
+  QFETCH(int, columns);
+  QFETCH(int, rows);
+  const int nx = width / columns, ny = height / rows;
+  writeImageFile("rest.png", width, height, [=](int x, int y, int channel) {
+    const int right = x / nx, up = (height - 1 - y) / ny;
+    if (right >= columns || up >= rows) return 1.0F;  // in no view
+    return float(channel == 0   ? up * columns + right
+                 : channel == 1 ? x % nx
+                                : (height - 1 - y) % ny) /
+           255;
+  });
+  const LightFieldParams params = quiltOf("rest.png", columns, rows, false);
+  const auto file = openLightField(params, {});
+  QCOMPARE(file->warnings().size(), 1U);
+  QVERIFY(file->warnings()[0].find(std::to_string(width % columns) + " px at the right and " +
+                                   std::to_string(height % rows) + " px at the top") !=
+          std::string::npos);
+  const LightField lightField = read(params, {});
+  QVERIFY((lightField.size() == LightFieldSize{nx, ny, columns * rows, 1}));
+  const auto expected = [ny](const TexelIndex& at) {
+    return Rgb{double(at.u), double(at.i), double(ny - 1 - at.j)};
+  };
+  QCOMPARE(firstWrong(lightField, expected, 0.5001), QString());
+}
+
 void TestLightFieldFile::mosaics_data() {
   QTest::addColumn<bool>("isUp");
   QTest::addColumn<bool>("isLeft");
@@ -269,8 +311,23 @@ void TestLightFieldFile::tilesFromName_data() {
   QTest::newRow("Looking Glass") << "folder.d/name_qs8x6a0.75.png" << 8 << 6;
   QTest::newRow("whole aspect") << "n_qs5x9a1.jpg" << 5 << 9;
   QTest::newRow("no suffix") << "quilt.png" << 0 << 0;
-  QTest::newRow("no aspect") << "n_qs8x6.png" << 0 << 0;
-  QTest::newRow("not at the end") << "n_qs8x6a1_small.png" << 0 << 0;
+  QTest::newRow("no aspect") << "n_qs8x6.png" << 8 << 6;
+  QTest::newRow("not at the end") << "n_qs8x6a1_small.png" << 8 << 6;
+  QTest::newRow("a version") << "n_qs8x6a0.75_v2.png" << 8 << 6;
+  QTest::newRow("a second download") << "n_qs8x6a0.75 (1).png" << 8 << 6;
+  QTest::newRow("upper case") << "N_QS8X6A0.75.PNG" << 8 << 6;
+  QTest::newRow("a decimal comma") << "n_qs8x6a0,75.png" << 8 << 6;
+  QTest::newRow("a frame's number") << "n_qs8x6a0.75.0001.png" << 8 << 6;
+  QTest::newRow("no aspect, a frame's number") << "n_qs8x6.0001.png" << 8 << 6;
+  QTest::newRow("no 0") << "n_qs8x6a.75.png" << 8 << 6;
+  QTest::newRow("leading zeros") << "n_qs08x06a0.750.png" << 8 << 6;
+  QTest::newRow("a space") << "n qs8x6a0.75.png" << 8 << 6;
+  QTest::newRow("a hyphen, a copy") << "n-qs8x6a0.75 - Copy.png" << 8 << 6;
+  QTest::newRow("the name alone") << "qs8x6a0.75.png" << 8 << 6;
+  QTest::newRow("an earlier one") << "n_qs8x6a1_qsheet.png" << 8 << 6;
+  QTest::newRow("in a word") << "faqs8x6.png" << 0 << 0;
+  QTest::newRow("letters behind the rows") << "n_qs8x6b.png" << 0 << 0;
+  QTest::newRow("many") << QString("qs").repeated(500000) + ".png" << 0 << 0;
   QTest::newRow("the folder's") << "n_qs8x6a1/quilt.png" << 0 << 0;
   QTest::newRow("too many digits") << "n_qs80000x6a1.png" << 0 << 0;
   QTest::newRow("no rows") << "n_qs8xa1.png" << 0 << 0;
@@ -293,7 +350,10 @@ void TestLightFieldFile::tilesFromName() {
 void TestLightFieldFile::aspectFromName() {
   QCOMPARE(quiltNameOf("folder.d/name_qs8x6a0.75.png").aspect, 0.75);
   QCOMPARE(quiltNameOf("n_qs5x9a1.jpg").aspect, 1.0);
-  QCOMPARE(quiltNameOf("n_qs5x9a1.2.3.jpg").aspect, 0.0);
+  QCOMPARE(quiltNameOf("n_qs5x9a1.2.3.jpg").aspect, 1.2);
+  QCOMPARE(quiltNameOf("n_qs5x9a0.75.0001.jpg").aspect, 0.75);
+  QCOMPARE(quiltNameOf("n_qs5x9a0,75 (2).jpg").aspect, 0.75);
+  QCOMPARE(quiltNameOf("n_qs5x9a.75_v2.jpg").aspect, 0.75);
   QCOMPARE(quiltNameOf("n_qs8x6.png").aspect, 0.0);
   writeImageFile("n_qs2x1a0.8.png", 2 * 10, 10, [](int, int, int) { return 0.5F; });
   QCOMPARE(sessionAround("n_qs2x1a0.8.png").display.size, (std::array<double, 2>{0.4, 0.5}));

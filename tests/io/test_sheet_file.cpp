@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "io/json/json_parameters.h"
+#include "io/plugins/display_json.h"
 #include "tests/io/documents.h"
 
 using namespace hogelscope;
@@ -41,6 +42,12 @@ class TestSheetFile : public QObject {
   void mistakes_data();
   void mistakes();
   void othersAreNoSheets();
+  void flippedSubPixels();
+  void unusedKeys_data();
+  void unusedKeys();
+  void servicesAnswers();
+  void bytesAround();
+  void warningsOfSessions();
 
  private:
   void write(const Json& document) {
@@ -129,6 +136,8 @@ void TestSheetFile::mistakes_data() {
   row(R"({"DPI": 0})", "dpi: …");
   row(R"({"flipImageX": {"value": 1.0}})",
       "flipImageX: is not 0: mirrored panels are not modelled");
+  row(R"({"flipImageY": 1})", "flipImageY: is not 0: mirrored panels are not modelled");
+  row(R"({"flipImageY": true})", "flipImageY: is not 0: mirrored panels are not modelled");
   row(R"({"subpixelCells": {}})", "subpixelCells: is not a list of kinds of pixels");
   row(R"({"subpixelCells": [3]})",
       "subpixelCells[0]: is not an object with ROffsetX and five others");
@@ -169,6 +178,119 @@ void TestSheetFile::othersAreNoSheets() {
   QVERIFY(!isSheetCalibration("large.json"));
   compareLine(errorOf([] { (void)loadSheetCalibration("large.json"); }).toUtf8(),
               "large.json: is larger than 1 MiB: not a lens sheet's calibration");
+}
+
+/// Colour i is at the place of sub-pixel 2 − i, whatever the cells are.
+void TestSheetFile::flippedSubPixels() {
+  Json document = sheet();
+  document["subpixelCells"] = {cell(0.28), cell(0.3)};
+  document["CellPatternMode"] = 2;
+  for (const bool hasCells : {false, true}) {
+    if (!hasCells) document.erase("subpixelCells");
+    document["flipSubp"] = {{"value", 0.0}};
+    write(document);
+    const SheetCalibration straight = loadSheetCalibration("visual.json");
+    for (const Json& flip : {Json{{"value", 1.0}}, Json(1), Json(true)}) {
+      document["flipSubp"] = flip;
+      write(document);
+      std::vector<std::string> warnings;
+      const SheetCalibration flipped = loadSheetCalibration("visual.json", &warnings);
+      QCOMPARE(flipped.cells.size(), straight.cells.size());
+      QCOMPARE(flipped.pattern, straight.pattern);
+      for (std::size_t kind = 0; kind < straight.cells.size(); ++kind)
+        for (const std::size_t channel : {0, 1, 2})
+          QVERIFY(flipped.cells[kind][channel] == straight.cells[kind][2 - channel]);
+      // A session that names the file reads the same.
+      SheetCalibration named;
+      readParts(sheetObject("visual.json"), "", named);
+      QVERIFY(named == flipped);
+    }
+    document["subpixelCells"] = {cell(0.28), cell(0.3)};
+  }
+}
+
+void TestSheetFile::unusedKeys_data() {
+  QTest::addColumn<QByteArray>("patch");
+  QTest::addColumn<QByteArray>("line");
+  const auto row = [](const char* patch, const char* line) {
+    QTest::newRow(patch) << QByteArray(patch) << QByteArray(line);
+  };
+  row(R"({"fringe": 0, "verticalAngle": {"value": 0.0}, "name": "", "list": [], "a": false})", "");
+  row(R"({"fringe": {"value": 0.02}})", "fringe is 0.02, which is not used");
+  row(R"({"verticalAngle": -1.5, "shift": [1, 2]})",
+      "verticalAngle is -1.5, shift is [1,2], which are not used");
+  row(R"({"CellPatternMode": 2})", "CellPatternMode is 2, which is not used");
+  row(R"({"a": 1, "b": 1, "c": 1, "d": 1, "e": 1, "f": 1, "g": 1, "h": 1, "i": 1})",
+      "a is 1, b is 1, c is 1, d is 1, e is 1, f is 1, g is 1, h is 1 and 1 more keys, which are "
+      "not used");
+}
+
+void TestSheetFile::unusedKeys() {
+  QFETCH(QByteArray, patch);
+  QFETCH(QByteArray, line);
+  Json document = sheet();
+  document.update(Json::parse(patch.toStdString()));
+  write(document);
+  std::vector<std::string> warnings;
+  (void)loadSheetCalibration("visual.json", &warnings);
+  QCOMPARE(QByteArray::fromStdString(warnings.empty() ? "" : warnings[0]), line);
+  QVERIFY(warnings.size() < 2);
+}
+
+/// The vendor's services have calibrations as objects and as texts.
+void TestSheetFile::servicesAnswers() {
+  Json second = sheet();
+  second["serial"] = "unit 8";
+  second["pitch"] = 51;
+  for (const bool isText : {false, true}) {
+    const auto calibration = [&](const Json& one) { return isText ? Json(one.dump()) : one; };
+    Json devices = Json::array();
+    devices.push_back({{"hwid", "monitor"}, {"calibration", isText ? Json("") : Json::object()}});
+    devices.push_back({{"hwid", "a"}, {"calibration", calibration(sheet())}});
+    write({{"error", 0}, {"devices", devices}});
+    QVERIFY(isSheetCalibration("visual.json"));
+    std::vector<std::string> warnings;
+    QVERIFY(loadSheetCalibration("visual.json", &warnings).serial == "unit 7");
+    QVERIFY(warnings.empty());
+    devices.push_back({{"hwid", "b"}, {"calibration", calibration(second)}});
+    write({{"error", 0}, {"devices", devices}});
+    QCOMPARE(loadSheetCalibration("visual.json", &warnings).params.pitch, 50.0);
+    QCOMPARE(warnings.size(), 1U);
+    QCOMPARE(QByteArray::fromStdString(warnings[0]),
+             QByteArray("has the calibrations of 2 units: that at devices[1].calibration (unit 7) "
+                        "is read, not devices[2].calibration (unit 8)"));
+  }
+}
+
+/// A unit's memory ends in zero bytes, and editors begin files with a byte order mark.
+void TestSheetFile::bytesAround() {
+  const QByteArray text = QByteArray::fromStdString(sheet().dump());
+  writeFile("visual.json", text);
+  const SheetCalibration plain = loadSheetCalibration("visual.json");
+  for (const QByteArray& other : {text + QByteArray(300, '\0'), "\xEF\xBB\xBF" + text + "\r\n",
+                                  "\xEF\xBB\xBF" + text + QByteArray(1, '\0')}) {
+    writeFile("visual.json", other);
+    QVERIFY(isSheetCalibration("visual.json"));
+    QVERIFY(loadSheetCalibration("visual.json") == plain);
+  }
+}
+
+void TestSheetFile::warningsOfSessions() {
+  Json document = sheet();
+  document["invView"] = 0;
+  document["fringe"] = 0.5;
+  write(document);
+  Session session;
+  QVERIFY(sheetWarnings(session).empty());
+  session.display.sheet.emplace();
+  session.display.sheet->calibration = loadSheetCalibration("visual.json");
+  session.lightField.calibration = session.display.sheet->calibration;
+  session.lightField.calibrationFile = "visual.json";
+  const std::string order = "invView is 0, which is ignored: views go from left to right";
+  QVERIFY((sheetWarnings(session) ==
+           std::vector<std::string>{"display.calibration: " + order,
+                                    "lightField.calibration: fringe is 0.5, which is not used",
+                                    "lightField.calibration: " + order}));
 }
 
 QTEST_GUILESS_MAIN(TestSheetFile)

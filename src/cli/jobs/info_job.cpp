@@ -58,6 +58,8 @@ void printImage(std::ostream& out, const Session& around) {
   }
   out << "layout      " << typeOf(params.layout).words(params, around.display) << "\n";
   printSize(out, around);
+  for (const std::string& warning : openLightField(params, around.display)->warnings())
+    out << "warning     " << printable(warning) << "\n";
 }
 
 void printOthers(std::ostream& out, const std::vector<std::string>& others) {
@@ -196,6 +198,8 @@ void printSession(std::ostream& out, const Session& session) {
         << state.psf.windowSize << " px" << eyesText(state)
         << (weight == 1 ? "" : ", weight " + numberText(weight)) << "\n";
   }
+  for (const std::string& warning : sheetWarnings(session))
+    out << "warning     " << printable(warning) << "\n";
 }
 
 /// The session is the document's own, or one around a light field.
@@ -291,7 +295,9 @@ void printSheet(std::ostream& out, const SheetCalibration& calibration,
   const SheetDisplay display{.calibration = calibration};
   const LensSheet sheet(display);
   const auto millimetres = [](double length) { return rounded(1000 * length, 4) + " mm"; };
-  const bool isUpright = calibration.cells == SheetCalibration{}.cells;
+  std::vector<SubPixels> upright = SheetCalibration{}.cells;
+  const bool isUpright = calibration.cells == upright;
+  std::swap(upright[0][0], upright[0][2]);
   out << "lens sheet  "
       << (calibration.serial.empty() ? "of a unit without serial number"
                                      : printable(calibration.serial))
@@ -301,8 +307,10 @@ void printSheet(std::ostream& out, const SheetCalibration& calibration,
       << rounded(sheet.size()[1], 4) << " m\n"
       << "sub-pixels  "
       << (isUpright ? "upright stripes of red, green, blue"
-                    : std::to_string(calibration.cells.size()) + " kind(s) of pixels, pattern " +
-                          std::to_string(calibration.pattern))
+          : calibration.cells == upright
+              ? "upright stripes of blue, green, red"
+              : std::to_string(calibration.cells.size()) + " kind(s) of pixels, pattern " +
+                    std::to_string(calibration.pattern))
       << "\n"
       << "lenses      " << rounded(sheet.lenses(), 2) << " across, " << millimetres(sheet.period())
       << " (" << rounded(sheet.period() / sheet.pixel(), 3) << " px) apart along a row, "

@@ -197,13 +197,6 @@ std::vector<std::string> warnings(const Session& session) {
     statesOf[text.data()].push_back(state.camera.name);
   }
   std::vector<std::string> lines;
-  const auto warn = [&](const char* section, const SheetCalibration& calibration) {
-    if (calibration.isInverted)
-      lines.push_back(std::string(section) +
-                      ".calibration: invView is 0, which is ignored: views go from left to right");
-  };
-  if (session.display.sheet) warn("display", session.display.sheet->calibration);
-  if (session.lightField.calibration) warn("lightField", *session.lightField.calibration);
   for (const auto& [what, states] : statesOf) {
     const std::size_t others = states.size() - 1;
     lines.push_back(states.front() +

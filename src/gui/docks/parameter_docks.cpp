@@ -18,6 +18,7 @@
 #include "gui/widgets/colours.h"
 #include "gui/widgets/dialogs.h"
 #include "gui/widgets/guarded.h"
+#include "io/documents/sheet_file.h"
 #include "io/opening/session_around.h"
 #include "io/plugins/display_json.h"
 #include "picture/scene_text.h"
@@ -78,6 +79,8 @@ void DisplayDock::askSheet() {
     content.display = withCalibration(content.display, file.toStdString());
     content.lightField.viewingDistance = notGiven;  // which is of hogels
     m_model->setContent(content);
+    for (const std::string& warning : sheetWarnings(content))
+      Q_EMIT failed(file + ": " + QString::fromStdString(warning));
   });
 }
 

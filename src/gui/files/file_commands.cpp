@@ -199,6 +199,8 @@ void FileCommands::openSheet(const QString& calibration, const QString& quilt) {
     Session session = m_model->session();
     const bool isSheet = session.display.sheet.has_value();
     session.display = withCalibration(session.display, sheet);  // before a quilt is asked for
+    for (const std::string& warning : sheetWarnings(session))
+      Q_EMIT failed(calibration + ": " + QString::fromStdString(warning));
     if (quilt.isEmpty() && isSheet) return m_model->setContent(session);
     if (quilt.isEmpty() && session.lightField.layout == Layout::quilt) {
       if (mayLeave()) m_model->openNew(onSheet(session.lightField, sheet));
@@ -258,6 +260,7 @@ void FileCommands::checkOrder(const QString& file) {
         std::vector<std::string> lines;
         try {
           lines = examine(session.lightField, session.display, progress);
+          std::ranges::copy(sheetWarnings(session), std::back_inserter(lines));
         } catch (const InputError&) {  // the view says it
         }
         return [this, file, lines] {

@@ -70,7 +70,8 @@ ViewFiles findViews(const LightFieldParams& params, std::array<int, 2> direction
 bool isViewSequence(const std::string& file);
 
 /// The columns and rows in a quilt's name (…_qs8x6a0.75.png), and the display's width / height; 0
-/// if there are none.
+/// if there are none. In any case, with a comma for the point, without the aspect, and with what
+/// people and file managers add behind it: "_v2", " (1)", a frame's number.
 struct QuiltName {
   std::array<int, 2> tiles{0, 0};
   double aspect = 0;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Layouts "quilt" and "mosaic": one image of views as tiles.
 #include <algorithm>
+#include <cctype>
 #include <cstdlib>
 #include <string_view>
 
@@ -18,7 +19,8 @@ namespace {
 class TiledImage : public ScatteredFile {
  public:
   /// Opens an image of `tiles` across and down; a quilt has one row of views, from its bottom left
-  /// tile on.
+  /// tile on. What a quilt's tiles leave over is at its right and top, as the vendor's software has
+  /// it for the sides of its own presets, such as 5×9 views in 4096×4096 px.
   TiledImage(const LightFieldParams& params, const std::array<int, 2>& tiles, bool isQuilt)
       : ScatteredFile(params),
         m_image(params.file, params.yuv),
@@ -29,12 +31,23 @@ class TiledImage : public ScatteredFile {
     warnOf("the picture", m_image.notesOfOne());
     const auto [across, down] = tiles;
     const auto width = int(m_image.width()), height = int(m_image.height());
-    if (width % across != 0 || height % down != 0)
+    const bool isDivided = width % across == 0 && height % down == 0;
+    if (width < across || height < down || (!isDivided && !isQuilt))
       throw InputError(params.file, "size",
                        "is " + pairText(width, height) + " px, which does not divide into " +
                            pairText(across, down) + " views; mend " +
                            (isQuilt ? "lightField.columns and rows" : "display.directions"));
     m_size = {width / across, height / down, isQuilt ? across * down : across, isQuilt ? 1 : down};
+    m_top = height % down;
+    if (!isDivided)
+      m_left = "views are " + pairText(m_size.nx, m_size.ny) +
+               " px from the bottom left: " + pairText(width, height) + " px are no multiple of " +
+               pairText(across, down) + " views, " + std::to_string(width % across) +
+               " px at the right and " + std::to_string(m_top) + " px at the top are left out";
+  }
+
+  [[nodiscard]] std::vector<std::string> warnings() const override {
+    return m_left.empty() ? std::vector<std::string>() : std::vector{m_left};
   }
 
  private:
@@ -46,11 +59,12 @@ class TiledImage : public ScatteredFile {
     };
     std::array<int, 2> tile{0, 0};
     std::optional place(placeOf(0, 0));
-    const auto target = [&](int x, int y) {
-      const std::array own{y / m_size.ny, x / m_size.nx};
+    const auto target = [&](int x, int y) -> std::optional<TexelIndex> {
+      if (y < m_top || x >= m_columns * m_size.nx) return std::nullopt;
+      const std::array own{(y - m_top) / m_size.ny, x / m_size.nx};
       if (own != tile) place.emplace(placeOf(own[0], own[1]));
       tile = own;
-      return (*place)(x % m_size.nx, y % m_size.ny);
+      return (*place)(x % m_size.nx, (y - m_top) % m_size.ny);
     };
     readTexels(m_image, band, m_params.incoming, target, progress);
   }
@@ -59,6 +73,8 @@ class TiledImage : public ScatteredFile {
   int m_columns;
   int m_rows;
   bool m_isQuilt;
+  int m_top = 0;       ///< rows of pixels above the tiles
+  std::string m_left;  ///< says what the tiles leave over
 };
 
 std::unique_ptr<LightFieldFile> openQuilt(const LightFieldParams& params, const DisplayParams&,
@@ -87,33 +103,61 @@ std::size_t digitsOf(std::string_view text, std::size_t most) {
   return count;
 }
 
-/// Takes 1 to 4 digits and a letter from the front of a text; 0 if it does not begin so.
-int takeNumber(std::string_view& text, char letter) {
-  const std::size_t digits = digitsOf(text, 4);
-  if (digits == 0 || !text.substr(digits).starts_with(letter)) return 0;
+bool isWord(char c) {
+  return std::isalnum(static_cast<unsigned char>(c)) != 0;
+}
+
+/// Takes a number of 1 to 4 digits from the front of a text; 0 if it does not begin with one.
+int takeNumber(std::string_view& text) {
+  const std::size_t digits = digitsOf(text, 5);
+  if (digits == 0 || digits > 4) return 0;
   const int number = std::atoi(std::string(text.substr(0, digits)).c_str());
-  text.remove_prefix(digits + 1);
+  text.remove_prefix(digits);
   return number;
 }
 
-/// Whether a text is a number of at most 3 digits, and 9 behind its point; both may be missing.
-bool isAspect(std::string_view text) {
-  const std::string_view rest = text.substr(digitsOf(text, 3));
-  return rest.empty() || (rest[0] == '.' && digitsOf(rest.substr(1), 9) == rest.size() - 1);
+/// Takes an aspect from the front of a text: at most 3 digits, and 9 behind a point or comma; both
+/// may be missing. A point without digits behind it is not of the aspect.
+double takeAspect(std::string_view& text) {
+  std::size_t end = digitsOf(text, 3);
+  const bool hasPoint = end < text.size() && (text[end] == '.' || text[end] == ',');
+  const std::size_t fraction = hasPoint ? digitsOf(text.substr(end + 1), 9) : 0;
+  if (fraction > 0) end += 1 + fraction;
+  std::string number(text.substr(0, end));
+  std::ranges::replace(number, ',', '.');
+  text.remove_prefix(end);
+  return numberOf(number).value_or(0);
+}
+
+/// Reads what stands behind "qs": 8x6a0.75 or 8x6, and then nothing that continues the word, as
+/// people and file managers add "_v2" or " (1)"; 0 tiles for anything else.
+QuiltName tilesAt(std::string_view rest) {
+  const int columns = takeNumber(rest);
+  if (columns == 0 || !rest.starts_with('x')) return {};
+  rest.remove_prefix(1);
+  const int rows = takeNumber(rest);
+  if (rows == 0) return {};
+  double aspect = 0;
+  if (rest.starts_with('a')) {
+    rest.remove_prefix(1);
+    aspect = takeAspect(rest);
+  }
+  if (!rest.empty() && isWord(rest[0])) return {};
+  return {{columns, rows}, aspect};
 }
 
 }  // namespace
 
 /// By hand, because std::regex needs some stack for each letter, and names may be long.
 QuiltName quiltNameOf(const std::string& file) {
-  const std::string stem = fs::path(file).stem().string();
-  const std::size_t suffix = stem.rfind("_qs");
-  if (suffix == std::string::npos) return {};
-  std::string_view rest = std::string_view(stem).substr(suffix + 3);
-  const int columns = takeNumber(rest, 'x');
-  const int rows = takeNumber(rest, 'a');
-  if (columns == 0 || rows == 0 || !isAspect(rest)) return {};
-  return {{columns, rows}, std::atof(std::string(rest).c_str())};
+  const std::string stem = lowerCase(fs::path(file).stem().string());
+  const std::string_view text = stem;
+  for (std::size_t at = text.rfind("qs"); at != text.npos; at = text.rfind("qs", at - 1)) {
+    const bool isOwn = at == 0 || !isWord(text[at - 1]);
+    const QuiltName name = isOwn ? tilesAt(text.substr(at + 2)) : QuiltName();
+    if (name.tiles[0] > 0 || at == 0) return name;
+  }
+  return {};
 }
 
 std::array<int, 2> quiltTilesOf(const LightFieldParams& params) {

@@ -83,11 +83,13 @@ GreyViews viewsOfFolder(const LightFieldParams& params, const DisplayParams& dis
   return views;
 }
 
-GreyPicture tileOf(const GreyPicture& image, int width, int height, int column, int row) {
+/// Returns a tile of those that begin `top` rows of pixels below the image's top.
+GreyPicture tileOf(const GreyPicture& image, int top, int width, int height, int column, int row) {
   GreyPicture tile{width, height, {}};
   tile.values.reserve(std::size_t(width) * std::size_t(height));
   for (int y = 0; y < height; ++y) {
-    const auto from = image.values.begin() + (std::ptrdiff_t(row) * height + y) * image.width +
+    const auto from = image.values.begin() +
+                      (top + std::ptrdiff_t(row) * height + y) * image.width +
                       std::ptrdiff_t(column) * width;
     tile.values.insert(tile.values.end(), from, from + width);
   }
@@ -99,14 +101,16 @@ GreyViews viewsOfTiles(const LightFieldParams& params, const LightFieldSize& siz
                        const Progress& progress) {
   const auto image =
       std::make_shared<const GreyPicture>(readGrey(params.file, params.yuv, progress));
-  const int columns = image->width / size.nx;
-  const int rows = image->height / size.ny;
+  const auto [columns, rows] =
+      params.layout == Layout::mosaic ? std::array{size.du, size.dv} : quiltTilesOf(params);
   GreyViews views;
-  views.grid = {rows, columns,
-                [=](int row, int column) { return tileOf(*image, size.nx, size.ny, column, row); }};
+  views.grid = {rows, columns, [=, top = image->height - rows * size.ny](int row, int column) {
+                  return tileOf(*image, top, size.nx, size.ny, column, row);
+                }};
   if (params.layout == Layout::mosaic) return views;
   views.tiles = views.grid;
-  views.grid = {1, size.du, [=, tile = views.grid.view](int, int view) {
+  views.grid = {1, size.du,
+                [rows = rows, columns = columns, tile = views.grid.view](int, int view) {
                   return tile(rows - 1 - view / columns, view % columns);
                 }};
   return views;

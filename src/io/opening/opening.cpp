@@ -235,6 +235,16 @@ DisplayParams completed(DisplayParams display, const DisplayParams& shown,
   return display;
 }
 
+/// Returns what a quilt's tiles leave over of its picture; nothing for a file that cannot be read,
+/// since jobs that need no pictures do not ask for one.
+std::vector<std::string> leftOver(const LightFieldParams& quilt, const DisplayParams& display) {
+  try {
+    return openLightField(quilt, display)->warnings();
+  } catch (const InputError&) {
+    return {};
+  }
+}
+
 }  // namespace
 
 Opening inspectFile(const std::string& file, const SaidFields& said, const Progress& progress) {
@@ -275,6 +285,8 @@ std::vector<std::string> examine(const LightFieldParams& lightField, const Displ
     lines = warningsOf(lightField, findLightFieldOrder(lightField, display, progress));
   else if (lightField.layout == Layout::lenslets)
     lines = {warningOf(lightField, lensletsOf(lightField, display, progress))};
+  else if (lightField.layout == Layout::quilt)
+    lines = leftOver(lightField, display);
   std::erase(lines, "");
   return lines;
 }
