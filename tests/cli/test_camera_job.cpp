@@ -161,8 +161,7 @@ void TestCameraJob::mistakes_data() {
     QTest::newRow(name) << arguments << QByteArray(line);
   };
   row("distribution", {"grid", "--output", "s2.json"},
-      "camera set: \"grid\" is not one of uniform, random, normal, nor a FILE.json or "
-      "FILE.csv");
+      "camera set: \"grid\" is not one of uniform, random, normal, nor a file");
   row("count", {"random", "--count", "100001", "--output", "s2.json"},
       "camera set: cameraSet.count: 100001 is out of range: 1 to 1e+05");
   row("region", {"random", "--region", "sphere", "--output", "s2.json"},

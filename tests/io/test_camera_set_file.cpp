@@ -42,6 +42,8 @@ class TestCameraSetFile : public QObject {
   void path();
   void traces_data();
   void traces();
+  void longClocks();
+  void guessesAreTold();
   void namedColumns();
   void recordings();
   void viewIndices();
@@ -141,6 +143,33 @@ void TestCameraSetFile::traces_data() {
                                           "\xEF\xBB\xBFtime, x, y\r\n0, 1, 2\r\n\r\n"
                                           "5e-1, -1, -2\r\n\r\n")
                                    << 0.75;
+  const auto row = [](const char* name, const QByteArray& text) {
+    QTest::newRow(name) << text << 3.0;
+  };
+  row("semicolons", "time;x;y;z\n0;1;2;3\n0.5;-1;-2;3\n");
+  row("semicolons and decimal commas", "Zeit;x;y;z\n0,0;1,00;2;3\n0,5;-1,0;-2,0;3,0\n");
+  row("decimal commas without names", "0,0;1,00;2;3\r\n0,5;-1,0;-2,0;3,0\r\n");
+  row("tabs", "time\tx\ty\tz\n0\t1\t2\t3\n0.5\t-1\t-2\t3\n");
+  row("tabs and decimal commas", "time\tx\ty\tz\n0,0\t1,0\t2,0\t3\n0,5\t-1\t-2\t3,0\n");
+  row("tabs, an empty last cell", "time\tx\ty\tz\tnote\n0\t1\t2\t3\ta\n0.5\t-1\t-2\t3\t\n");
+  row("commas and tabs", "time,\tx,\ty,\tz\n0,\t1,\t2,\t3\n0.5,\t-1,\t-2,\t3\n");
+  row("sep=,", "sep=,\ntime,x,y,z\n0,1,2,3\n0.5,-1,-2,3\n");
+  row("sep=;", "\xEF\xBB\xBFSEP=;\r\ntime;x;y;z\r\n0;1;2;3\r\n0,5;-1;-2;3\r\n");
+  row("sep=|", "sep=|\ntime|x|y|z\n0|1|2|3\n0.5|-1|-2|3\n");
+  row("a semicolon in a name", "a;b,time,x,y,z\n7;8,0,1,2,3\n9,0.5,-1,-2,3\n");
+  row("TUM",
+      "# ground truth\n# timestamp tx ty tz qx qy qz qw\n"
+      "1700000000.25 1 2 3 0 0 0 1\n1700000000.75 -1 -2  3 0.6 0 0 0.8\n");
+  row("TUM without a comment", "0 1 2 3 0 0 0 1\n0.5 -1 -2 3 0 0 0.6 -0.8\n");
+  row("comments between", "0,1,2,3\n# here, it, was, lost\n0.5,-1,-2,3\n");
+  row("EuRoC",
+      "#timestamp [ns],p_RS_R_x [m],p_RS_R_y [m],p_RS_R_z [m],q_RS_w []\n"
+      "1403636579758555392,1,2,3,1\n1403636580258555392,-1,-2,3,1\n");
+  row("EuRoC without names",
+      "1403636579758555392,1,2,3,1,0,0,0\n"
+      "1403636580258555392,-1,-2,3,0,0,0,1\n");
+  row("units in names", "t (ms);x [mm];pos_y_cm;position_z [m]\n0;1000;200;3\n500;-1000;-200;3\n");
+  row("milliseconds since 1970", "1518516389517,1,2,3\n1518516390017,-1,-2,3\n");
 }
 
 void TestCameraSetFile::traces() {
@@ -153,6 +182,37 @@ void TestCameraSetFile::traces() {
   QVERIFY((found.points[0].eye == Vec3{1, 2, z}));
   QCOMPARE(found.points[1].time, 0.5);
   QVERIFY((found.points[1].eye == Vec3{-1, -2, z}));
+}
+
+/// A clock of 19 digits has steps that a double of its numbers has not.
+void TestCameraSetFile::longClocks() {
+  QByteArray text = "#timestamp [ns],p_RS_R_x [m],p_RS_R_y [m],p_RS_R_z [m]\n";
+  for (int k = 0; k <= 1000; ++k)
+    text += QByteArray::number(1700000000000000001LL + 1001LL * k) + ",0,0,1\n";
+  writeFile("t.csv", text);
+  const auto found = sourceIn<Trace>(loadCameraSet("t.csv"));
+  for (std::size_t k = 0; k <= 1000; ++k)
+    QVERIFY(std::abs(found.points[k].time - 1.001e-6 * double(k)) < 1e-15);
+}
+
+void TestCameraSetFile::guessesAreTold() {
+  const auto notes = [](const QByteArray& text) {
+    writeFile("t.txt", text);
+    const std::vector<std::string> all = loadCameraSet("t.txt").notes;
+    return QByteArray::fromStdString(all.empty() ? "" : all.back());
+  };
+  QCOMPARE(notes("time,x,y\n0,0,0\n1,0,0\n"), QByteArray());
+  QCOMPARE(
+      notes("0 1 2 3 0 0 0 1\n1 1 2 3 0 0 0 1\n"),
+      QByteArray("is read with time, x, y, z of lines with an orientation, which is not used"));
+  QCOMPARE(notes("# timestamp tx ty tz qx qy qz qw\n0 0 0 1 0 0 0 1\n1 0 0 1 0 0 0 1\n"),
+           QByteArray("is read with timestamp as time, tx as x, ty as y, tz as z; its orientations "
+                      "are not used"));
+  QCOMPARE(notes("Zeit;x [mm];y\n0;0;0\n1;0;0\n"),
+           QByteArray("is read with Zeit as time, x [mm] as x in mm"));
+  QCOMPARE(notes("1518516389517,1,2,3\n1518516390017,-1,-2,3\n"),
+           QByteArray("says no unit of time: \"1518516389517\" is taken for one of 0.001 s since "
+                      "1970; trace.timeUnit says another"));
 }
 
 /// The form of mmspg/lightfieldvrtb: a line at each change of view; a time in ms since 1970.
@@ -357,13 +417,24 @@ void TestCameraSetFile::badTraces_data() {
     return QByteArray("line 1: \"") + shown +
            "\" is not time, x, y or time, x, y, z; \"trace\" in a camera set names other columns";
   };
-  row("other names", "t,x,y\n", notATrace("t,x,y"));
+  row("other names", "u,x,y\n", notATrace("u,x,y"));
   row("two columns", "0,1\n", notATrace("0,1"));
-  row("semicolons", "0;1;2\n", notATrace("0;1;2"));
+  row("other names between semicolons", "u;x;y\n",
+      "line 1: \"u;x;y\", separated by semicolons, is not time, x, y or time, x, y, z; \"trace\" "
+      "in "
+      "a camera set names other columns");
+  row("no orientation", "0 1 2 3 0 0 0 2\n",
+      "line 1: \"0 1 2 3 0 0 0 2\", separated by spaces, is not time, x, y or time, x, y, z; "
+      "\"trace\" in a camera set names other columns");
+  row("an unknown unit", "time [h],x,y\n", notATrace("time [h],x,y"));
+  row("two commas", "0;1;2\n1;1,000,2;2\n",
+      "line 2: x \"1,000,2\" is not a number from -1e12 to 1e12");
+  row("a long clock that stands", "1403636579758555392,0,0\n1403636579758555392,0,0\n",
+      "line 2: time \"1403636579758555392\" is not after that of the line before");
   row("five columns", "0,0,0,1,7\n", notATrace("0,0,0,1,7"));
   row("truncated", "time,x,y,z\n0,0,0,1\n1,0,0", "line 3: has 3 cells, the first line has 4");
   row("no number", "time,x,y\n0,0,a\n", "line 2: y \"a\" is not a number from -1e12 to 1e12");
-  row("NaN", "0,0,0\nnan,0,0\n", "line 2: time \"nan\" is not a number from -1e18 to 1e18");
+  row("NaN", "0,0,0\nnan,0,0\n", "line 2: time \"nan\" is not a number from -1e20 to 1e20");
   row("infinite", "0,0,0\n1,-inf,0\n", "line 2: x \"-inf\" is not a number from -1e12 to 1e12");
   row("empty cell", "0,0,0\n1,,0\n", "line 2: x \"\" is not a number from -1e12 to 1e12");
   row("far", "0,0,0\n1,0,10001\n", "line 2: y \"10001\" is farther than 10000 m");
@@ -392,8 +463,7 @@ void TestCameraSetFile::badOverrides() {
            QString("camera set: override psf.sigma=1: there is no section \"psf\" in a camera "
                    "set: cameraSet, cameraRegion, trace"));
   QCOMPARE(refusal("grid", "cameraSet.count=1"),
-           QString("camera set: \"grid\" is not one of uniform, random, normal, nor a "
-                   "FILE.json or FILE.csv"));
+           QString("camera set: \"grid\" is not one of uniform, random, normal, nor a file"));
   QVERIFY(refusal("none.json", "cameraSet.count=1").startsWith("none.json: cannot be read: "));
   QVERIFY(refusal("none.csv", "cameraSet.count=1").startsWith("none.csv: cannot be read: "));
 }

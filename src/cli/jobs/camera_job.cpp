@@ -4,6 +4,7 @@
 
 #include "cli/inputs.h"
 #include "cli/jobs.h"
+#include "cli/terminal.h"
 #include "core/base/error.h"
 #include "core/base/text.h"
 #include "io/documents/camera_set_file.h"
@@ -33,6 +34,9 @@ void sayWhatWasMade(const CameraSet& set, const Session& before, const Session& 
 int runMakeCameras(const CommandLine& line) {
   const Session session = loadSelected(line);
   const CameraSet set = loadCameraSet(line.subject, line.jobOverrides);
+  if (!line.has("quiet"))
+    for (const std::string& note : set.notes)
+      printNote((set.traceFile.empty() ? line.subject : set.traceFile) + ": " + note);
   const Session result = withCameras(session, set);
   const std::string output = line.text("output");
   if (!isSessionFile(output))

@@ -90,7 +90,8 @@ struct CameraSet {
   CameraSetParams params;
   CameraRegionParams region;
   std::variant<std::monostate, Mixture, PoseList, PosePath, Trace> source;
-  std::string traceFile = {};  ///< that the Trace was read from
+  std::string traceFile = {};           ///< that the Trace was read from
+  std::vector<std::string> notes = {};  ///< what was guessed of it, and what is left aside
 };
 
 /// Returns the poses in the display frame; `panel` is the display's width and height. Random

@@ -13,12 +13,15 @@ namespace {
 constexpr const char* setVersion = "hogelscopeCameras";
 constexpr std::size_t mostPoses = 100000;
 
-bool isCsv(const std::string& file) {
-  return file.ends_with(".csv") || file.ends_with(".CSV");
-}
-
 bool isJson(const std::string& file) {
   return file.ends_with(".json") || file.ends_with(".JSON");
+}
+
+/// Whether the name is that of a file: its kind is told by what is in it.
+bool isFile(const std::string& what) {
+  std::error_code none;
+  return isJson(what) || what.ends_with(".csv") || what.ends_with(".CSV") ||
+         std::filesystem::is_regular_file(what, none);
 }
 
 /// Applies an override, also to each part of a mixture that has a region of its own.
@@ -127,7 +130,7 @@ void loadTrace(const Json& object, const std::filesystem::path& folder, CameraSe
     throw InputError("trace.only", "needs trace.recording, the column that says which one it is");
   set.traceFile = (folder / params.file).string();
   set.source = inFile(set.traceFile, [&] {
-    return readTrace(readTextFile(set.traceFile), set.region.centre.z, params);
+    return readTrace(readTextFile(set.traceFile), set.region.centre.z, params, &set.notes);
   });
 }
 
@@ -164,15 +167,12 @@ Json documentOf(const std::string& what) {
     return parseJson(text);
   }
   Json document{{setVersion, 1}};
-  if (isCsv(what)) {
+  if (isFile(what)) {
     document["trace"]["file"] = std::filesystem::path(what).filename().string();
     return document;
   }
   if (what != "uniform" && what != "random" && what != "normal")
-    throw InputError("\"" + what +
-                         "\" is not one of uniform, random, normal, nor a FILE.json or "
-                         "FILE.csv",
-                     "");
+    throw InputError("\"" + what + "\" is not one of uniform, random, normal, nor a file", "");
   document["cameraRegion"]["distribution"] = what;
   return document;
 }
@@ -180,8 +180,7 @@ Json documentOf(const std::string& what) {
 }  // namespace
 
 CameraSet loadCameraSet(const std::string& what, const std::vector<std::string>& overrides) {
-  const bool isFile = isJson(what) || isCsv(what);
-  return inFile(isFile ? what : "camera set", [&] {
+  return inFile(isFile(what) ? what : "camera set", [&] {
     Json document = documentOf(what);
     for (const std::string& text : overrides) overrideSet(document, text);
     return readDocument(document, std::filesystem::path(what).parent_path());

@@ -15,8 +15,8 @@ namespace hogelscope {
 ///   "poses": [{"eye": [x, y, z], "lookat": [x, y, z], "weight": 1}, …],
 ///   "path": [{"eye": …}, …],
 ///   "trace": {"file": "tracks.csv", "time": "Timestamp", "timeUnit": 0.001, …};
-/// or FILE.csv, which is {"trace": {"file": FILE.csv}}: lines of time, x, y[, z] in seconds and
-/// metres, with or without a first line of these names; a missing z is that of cameraRegion.centre.
+/// or another file, which is {"trace": {"file": FILE}}: readTrace(); a missing z is that of
+/// cameraRegion.centre.
 /// `overrides` are as for loadSession(), for cameraSet, cameraRegion and trace; those for the
 /// region apply to every part of a mixture too. Throws InputError that names the file and the place
 /// in it.
