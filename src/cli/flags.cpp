@@ -41,8 +41,12 @@ std::vector<Flag> sharedFlags() {
       {.name = "calibration",
        .value = "FILE",
        .isInput = true,
-       .help = "Takes lens, intrinsics and picture size of every state from an OpenCV calibration "
-               "(.yml, .json)."},
+       .help = "Takes lens, intrinsics and picture size of every state from a camera's file: "
+               "OpenCV's YAML, XML or JSON, ROS camera_info, Kalibr, COLMAP, transforms.json …"},
+      {.name = "camera",
+       .value = "NAME",
+       .with = "calibration",
+       .help = "The camera of a file of several: of --calibration, or else of --make-cameras."},
       {.name = "twin",
        .value = "FILE",
        .isInput = true,

@@ -28,6 +28,7 @@ struct Flag {
   bool isInput = false;                        ///< its value is a file that the job reads
   bool mayRepeat = false;                      ///< with different values
   bool isForWindow = false;                    ///< the window takes it too
+  std::string_view with = {};                  ///< jobs that take this option take it, too
   std::string_view lastJob = {};               ///< stands last where its jobs are listed
   std::optional<NumberRange> range = {};       ///< of the value, if it must be a number
   std::vector<std::string_view> choices = {};  ///< the allowed values; any if empty

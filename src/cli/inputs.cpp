@@ -11,6 +11,7 @@
 #include "cli/terminal.h"
 #include "core/base/error.h"
 #include "core/base/text.h"
+#include "io/cameras/camera_file.h"
 #include "io/documents/session_file.h"
 #include "io/documents/sheet_file.h"
 #include "io/documents/twin_file.h"
@@ -80,17 +81,38 @@ Session checkedSession(const CommandLine& line, const std::optional<Calibration>
   return session;
 }
 
+/// The camera of --calibration, if the job has it; prints what was guessed of it.
+std::optional<Calibration> calibrationOf(const CommandLine& line) {
+  if (!line.mayHave("calibration")) return std::nullopt;
+  if (!line.has("calibration") && line.has("camera") && line.job->name != "make-cameras")
+    throw InputError("--camera " + line.text("camera"),
+                     "needs --calibration FILE, of which it is a camera");
+  if (!line.has("calibration")) return std::nullopt;
+  const std::string file = line.text("calibration");
+  std::vector<std::string> notes;
+  const Calibration calibration = loadCalibration(file, line.text("camera"), &notes);
+  if (!line.has("quiet"))
+    for (const std::string& note : notes) printNote(file + ": warning: " + note);
+  return calibration;
+}
+
+/// Says which size is assumed of pictures whose calibration does not say it.
+void warnOfSize(const CommandLine& line, const Calibration& calibration, const Session& session) {
+  if (line.has("quiet") || session.cameras.empty()) return;
+  const std::string warning = assumedSizeOf(calibration, session.cameras.front().camera.res);
+  if (!warning.empty()) printNote(line.text("calibration") + ": warning: " + warning);
+}
+
 }  // namespace
 
 Session loadSessionOf(const CommandLine& line) {
   const std::string file = line.text("session");
-  std::optional<Calibration> calibration;
-  if (line.mayHave("calibration") && line.has("calibration"))
-    calibration = loadCalibration(line.text("calibration"));
+  const std::optional<Calibration> calibration = calibrationOf(line);
   const bool isAround = !isSessionDocument(file);
   Session session = isAround ? sessionAroundFile(line) : checkedSession(line, calibration);
   if (isAround && calibration)
     for (CameraState& state : session.cameras) apply(*calibration, state);
+  if (calibration) warnOfSize(line, *calibration, session);
   for (const std::string& warning : sheetWarnings(session)) warn(line, warning);
   const bool mayHaveTwin = line.mayHave("twin") && line.has("twin");
   if (!mayHaveTwin || (line.mayHave("against") && line.text("against", "") == "design"))

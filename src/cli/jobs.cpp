@@ -9,7 +9,8 @@ namespace hogelscope {
 namespace {
 
 bool isIn(const std::vector<std::string_view>& names, const Flag& flag) {
-  return std::ranges::find(names, flag.name) != names.end();
+  return std::ranges::find(names, flag.name) != names.end() ||
+         (!flag.with.empty() && std::ranges::find(names, flag.with) != names.end());
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <pybind11/stl.h>
 
 #include "core/base/error.h"
+#include "io/cameras/camera_file.h"
 #include "io/documents/camera_set_file.h"
 #include "io/documents/session_file.h"
 #include "io/files/files_in_use.h"

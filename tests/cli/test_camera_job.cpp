@@ -23,6 +23,8 @@ class TestCameraJob : public QObject {
   void sessionSettingsAreTheSessions();
   void userDefined();
   void viewersTrace();
+  void camerasOfAFile();
+  void calibrationOfSeveral();
   void aHundredThousand();
   void mistakes_data();
   void mistakes();
@@ -146,6 +148,65 @@ void TestCameraJob::viewersTrace() {
   QCOMPARE(made.cameras[2].camera.weight, 3.0);
   QCOMPARE(made.cameras[2].camera.eye, (Vec3{0.1, 0.01, 0.6}));
   QCOMPARE(made.cameras[3].camera.weight, 1.0);
+}
+
+/// States of all cameras, or of one; what is assumed is told, and --info says what the file has.
+void TestCameraJob::camerasOfAFile() {
+  const QByteArray frame = R"({"file_path": "images/%.png", "transform_matrix":
+      [[1,0,0,0.1],[0,1,0,0.2],[0,0,1,6],[0,0,0,1]]})";
+  const auto named = [&](const char* name) { return QByteArray(frame).replace("%", name); };
+  writeFile("capture", R"({"fl_x": 500, "w": 640, "h": 480, "k1": 0.1, "frames": [)" + named("a1") +
+                           "," + named("a2") + "]}");
+  Outcome outcome = job({"capture", "--set", "cameraSet.scale=0.1", "--output", "s2.json"});
+  QCOMPARE(outcome.err, QByteArray());
+  QVERIFY2(outcome.out.startsWith("2 camera state(s) added: a1 … a2; "), outcome.out);
+  const CameraState made = loadSession("s2.json").cameras.back();
+  QCOMPARE(made.camera.name, std::string("a2"));
+  QCOMPARE(made.camera.eye, (Vec3{0.01, 0.02, 0.6}));
+  QCOMPARE(made.intrinsics.fx, 500.0);
+  QCOMPARE(made.distortion.k1, 0.1);
+  QCOMPARE(made.camera.res, (std::array{640, 480}));
+  outcome = job({"capture", "--camera", "a1", "--output", "s3.json"});
+  QCOMPARE(outcome.err,
+           QByteArray("hogelscope: capture: says no unit of its places: one is taken for a metre; "
+                      "cameraSet.scale says another\n"));
+  QVERIFY2(outcome.out.startsWith("1 camera state(s) added: a1"), outcome.out);
+  QCOMPARE(job({"uniform", "--camera", "a1", "--output", "s4.json"}).err,
+           QByteArray("hogelscope: --camera a1: uniform is no file of cameras\n"));
+  writeFile("k.json", R"({"K": [50, 0, 32, 0, 50, 24, 0, 0, 1], "D": [0, 0, 0, 0]})");
+  QVERIFY(job({"k.json", "--output", "s5.json"})
+              .err.contains("k does not say the size of its pictures: "));
+  const QByteArray info = run({"--info", "capture"}, QDir::currentPath()).out;
+  QVERIFY2(info.startsWith("cameras     2, transforms.json\ncamera      a1: 640×480 px, fx 500\n"
+                           "  lens      Brown–Conrady: k1 0.1, "),
+           info);
+  QVERIFY2(info.contains("poses       2 of 2, at (0.1, 0.2, 6) … (0.1, 0.2, 6), in no unit"), info);
+  writeFile("t.txt", "0 0 0 1 0 0 0 1\n2.5 0.1 0 1 0 0 0 1\n");
+  QVERIFY(
+      run({"--info", "t.txt"}, QDir::currentPath())
+          .out.startsWith("trace       2 lines, 2.5 s\nplaces      (0, 0, 1) … (0.1, 0, 1) m\n"));
+}
+
+/// Of several cameras --calibration needs the name of one, and --camera a file.
+void TestCameraJob::calibrationOfSeveral() {
+  const QByteArray lens = R"({"K": [%, 0, 32, 0, 50, 24, 0, 0, 1], "D": [0, 0, 0, 0],
+                              "img_size": [64, 48]})";
+  writeFile("pair.json", R"({"left": )" + QByteArray(lens).replace("%", "50") + R"(, "right": )" +
+                             QByteArray(lens).replace("%", "60") + "}");
+  const auto made = [&](const QStringList& more) {
+    return job(QStringList{"uniform", "--count", "1", "--output", "s2.json"} + more);
+  };
+  QCOMPARE(
+      made({"--calibration", "pair.json"}).err,
+      QByteArray("hogelscope: pair.json: has the cameras left, right: say by its name which of "
+                 "them is wanted\n"));
+  QCOMPARE(made({"--calibration", "pair.json", "--camera", "right"}).err, QByteArray());
+  QCOMPARE(loadSession("s2.json").cameras.back().intrinsics.fx, 60.0);
+  QCOMPARE(
+      run({"--render", "--session", "s.json", "--camera", "a", "--output", "out"},
+          QDir::currentPath())
+          .err,
+      QByteArray("hogelscope: --camera a: needs --calibration FILE, of which it is a camera\n"));
 }
 
 /// As many as can be asked for are written, and read again.

@@ -184,6 +184,13 @@ class TestFiles : public HabitsTest {
     file.close();
     drop({file.fileName()});
     QTRY_COMPARE_WITH_TIMEOUT(model().current().distortion.k1, 0.125, patience);
+    QFile other(m_folder->filePath("lens.json"));  // no session, but a camera by what is in it
+    QVERIFY(other.open(QIODevice::WriteOnly));
+    other.write(
+        R"({"mtx": [[60, 0, 40], [0, 60, 30], [0, 0, 1]], "dist": [[0.25, 0, 0, 0, 0]], "w": 80, "h": 60})");
+    other.close();
+    drop({other.fileName()});
+    QTRY_COMPARE_WITH_TIMEOUT(model().current().distortion.k1, 0.25, patience);
     QVERIFY(!action("stopComparingAction")->isEnabled());
     drop({QStringLiteral(HOGELSCOPE_SOURCE_DIR "/tests/data/scene.png")});
     QTRY_VERIFY_WITH_TIMEOUT(action("stopComparingAction")->isEnabled(), patience);

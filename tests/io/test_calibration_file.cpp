@@ -6,6 +6,7 @@
 #include <cmath>
 #include <opencv2/core.hpp>
 
+#include "io/cameras/camera_file.h"
 #include "io/documents/session_file.h"
 #include "tests/core/random.h"
 #include "tests/io/documents.h"
@@ -91,7 +92,7 @@ void TestCalibrationFile::init() {
 
 void TestCalibrationFile::whatOpenCvWrites_data() {
   QTest::addColumn<QString>("file");
-  for (const char* file : {"k.yml", "k.yaml", "k.json"}) QTest::newRow(file) << file;
+  for (const char* file : {"k.yml", "k.yaml", "k.json", "k.xml"}) QTest::newRow(file) << file;
 }
 
 void TestCalibrationFile::whatOpenCvWrites() {
@@ -174,15 +175,22 @@ void TestCalibrationFile::isRefused_data() {
     QTest::newRow(name) << content << QString("k: ") + line;
   };
   constexpr const char* other =
-      "is not an OpenCV calibration: a YAML file begins with %YAML:1.0, a JSON file with {";
+      "is not a file of cameras: known are OpenCV's YAML, XML and JSON, matrices as JSON or YAML "
+      "(K, "
+      "D), ROS camera_info, Kalibr, transforms.json, COLMAP and glTF";
   add("empty", "", other);
   add("a text", "something", other);
-  add("XML", "<?xml version=\"1.0\"?>", other);
-  add("XML behind a byte order mark", "\xEF\xBB\xBF<?xml version=\"1.0\"?><a><a>", other);
+  add("XML", "<?xml version=\"1.0\"?>", "line 1: is not XML: an element begins with <");
+  add("XML behind a byte order mark", "\xEF\xBB\xBF<?xml version=\"1.0\"?>\n<a><a>",
+      "line 2: is not XML: an element has no end");
+  add("deep XML", "<?xml version=\"1.0\"?>" + QByteArray("<a>").repeated(100000),
+      "line 1: is nested deeper than any calibration");
+  add("XML of something else", "<?xml version=\"1.0\"?><svg><path>M 0 0</path></svg>", other);
   add("no matrix", R"({"D": [1, 2, 3, 4]})",
-      "camera_matrix: is missing; it may also be called: cameraMatrix K M1");
+      "camera_matrix: is missing; it may also be called: cameraMatrix mtx K M1");
   add("no lens", R"({"K": [500, 0, 1, 0, 500, 1, 0, 0, 1]})",
-      "distortion_coefficients: is missing; it may also be called: dist_coeffs distCoeffs D D1");
+      "distortion_coefficients: is missing; it may also be called: dist_coeffs distCoeffs dist D "
+      "D1");
   add("a number", json("3", "[]"), "K: is not a matrix");
   add("texts", json(R"(["a", "b"])", "[]"), "K: has a value that is not a number");
   add("too few", json("[1, 2, 3]", "[0, 0, 0, 0]"), "camera_matrix: is not of 3×3 numbers");
@@ -257,15 +265,19 @@ void TestCalibrationFile::listIsRefused_data() {
     add(name, "{\"cameras\": [" + camera + "]}", line);
   };
   add("empty", "",
-      "is not an OpenCV calibration: a YAML file begins with %YAML:1.0, a JSON file with {");
+      "is not a file of cameras: known are OpenCV's YAML, XML and JSON, matrices as JSON or YAML "
+      "(K, "
+      "D), ROS camera_info, Kalibr, transforms.json, COLMAP and glTF");
   add("no list", R"({"cameras": 3})", "cameras: is not a list of at least one camera");
   add("an empty list", R"({"cameras": []})", "cameras: is not a list of at least one camera");
   add("a list alone", "[1, 2]",
-      "is not an OpenCV calibration: a YAML file begins with %YAML:1.0, a JSON file with {");
+      "is not a file of cameras: known are OpenCV's YAML, XML and JSON, matrices as JSON or YAML "
+      "(K, "
+      "D), ROS camera_info, Kalibr, transforms.json, COLMAP and glTF");
   add("a key twice", R"({"cameras": [], "cameras": []})", "cameras: stands twice in one object");
   add("deep", "{\"cameras\": " + QByteArray(100000, '['), "is nested deeper than any session");
-  add("large", "{\"cameras\": [" + QByteArray(2 << 20, ' ') + "]}",
-      "is larger than 1 MiB: not a camera's calibration");
+  add("large", "{\"cameras\": [" + QByteArray(17 << 20, ' ') + "]}",
+      "is larger than 16 MiB: not a camera's calibration");
   one("a number", "3", "cameras[0]: is not an object with name, size, K and D");
   one("no name", "{}", "cameras[0].name: is missing, or not a text that names the camera");
   one("no matrix", R"({"name": "a"})", "cameras[0].K: is missing: [fx, fy, cx, cy]");

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Tests the reader of OpenCV's YAML: node by node against cv::FileStorage over what that wrote, and
-// with what crashed or stopped cv::FileStorage.
+// Tests the readers of OpenCV's YAML and XML: node by node against cv::FileStorage over what that
+// wrote, and with what crashed or stopped cv::FileStorage.
 #include <QTemporaryDir>
 #include <QTest>
 #include <opencv2/core.hpp>
 
+#include "io/json/xml_reader.h"
 #include "io/json/yaml_reader.h"
 #include "tests/core/random.h"
 #include "tests/io/documents.h"
@@ -63,11 +64,14 @@ cv::Mat randomMatrix(Random& random) {
   return matrix;
 }
 
+/// What the names of keys begin with; XML has none with spaces.
+const char* keyBegin = "key ";
+
 void writeValue(cv::FileStorage& storage, Random& random, int depth);
 
 void writeKeys(cv::FileStorage& storage, Random& random, int depth) {
   for (int k = random.integer(1, 4); k > 0; --k) {
-    storage << "key " + std::to_string(k);
+    storage << keyBegin + std::to_string(k);
     writeValue(storage, random, depth);
   }
 }
@@ -115,6 +119,9 @@ class TestYamlReader : public QObject {
 
  private Q_SLOTS:
   void readsWhatOpenCvReads();
+  void readsItsXml();
+  void xml_data();
+  void xml();
   void dialect_data();
   void dialect();
   void isRefused_data();
@@ -147,6 +154,59 @@ void TestYamlReader::readsWhatOpenCvReads() {
     const QString different = difference(in.root(), read, "");
     QVERIFY2(different.isEmpty(), different.toUtf8() + "\n" + content);
   }
+}
+
+/// The same of XML. Numbers without a point are whole there, whatever they were.
+void TestYamlReader::readsItsXml() {
+  const QTemporaryDir folder;
+  const std::string file = folder.filePath("random.xml").toStdString();
+  Random random(15);
+  keyBegin = "key-";
+  for (int k = 0; k < 300; ++k) {
+    cv::FileStorage out(file, cv::FileStorage::WRITE);
+    writeKeys(out, random, 0);
+    out.writeComment("a comment: <with> \"a quote", false);
+    out.release();
+    const QByteArray content = contentOf(file.c_str());
+    const cv::FileStorage in(file, cv::FileStorage::READ);
+    Json read;
+    const QString error = errorOf([&] { read = parseOpenCvXml(content.toStdString()); });
+    QVERIFY2(error.isEmpty(), error.toUtf8() + "\n" + content);
+    const QString different = difference(in.root(), read, "");
+    QVERIFY2(different.isEmpty(), different.toUtf8() + "\n" + content);
+  }
+  keyBegin = "key ";
+}
+
+void TestYamlReader::xml_data() {
+  QTest::addColumn<QByteArray>("xml");
+  QTest::addColumn<QByteArray>("json");
+  const auto add = [](const char* name, const QByteArray& xml, const QByteArray& json) {
+    QTest::newRow(name) << xml << json;
+  };
+  add("words", "<r><a>1 -2.5 b \"c d\"</a></r>", R"({"a":[1,-2.5,"b","c d"]})");
+  add("items", "<r><a><_>1</_><_><b>2</b></_></a></r>", R"({"a":[1,{"b":2}]})");
+  add("nothing", "<r><a/><b></b><c x='>'/></r>", R"({"a":"","b":"","c":""})");
+  add("one number", "<r><m type_id=\"opencv-matrix\"><data>3.</data></m></r>",
+      R"({"m":{"data":3.0}})");
+  add("characters", "<r><a>\"&lt;&amp;&gt;&quot;\"</a></r>", R"({"a":"<&>\""})");
+  add("comments", "<!-- < --><?xml version=\"1.0\"?><r><!--a--><a>1<!-- 2 --></a></r><!-- -->",
+      R"({"a":1})");
+  add("twice", "<r><a>1</a><a>2</a></r>", "line 1: \"a\" stands twice");
+  add("mixed", "<r><a>1</a>\n<_>2</_></r>", "line 2: has items (_) beside names");
+  add("an entity", "<r><a>&bomb;</a></r>", "line 1: has an entity that is not known: &bomb;");
+  add("no end", "<r><a>1</a>", "line 1: is not XML: an element has no end");
+  add("no comment's end", "<r><!-- ", "line 1: is not XML: \"-->\" is missing");
+  add("more", "<r></r>x", "line 1: is not XML: something follows the last element");
+}
+
+void TestYamlReader::xml() {
+  QFETCH(QByteArray, xml);
+  QFETCH(QByteArray, json);
+  QByteArray read;
+  const QString error =
+      errorOf([&] { read = QByteArray::fromStdString(parseOpenCvXml(xml.toStdString()).dump()); });
+  QCOMPARE(error.isEmpty() ? read : error.toUtf8(), json);
 }
 
 void TestYamlReader::dialect_data() {

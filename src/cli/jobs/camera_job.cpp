@@ -7,6 +7,7 @@
 #include "cli/terminal.h"
 #include "core/base/error.h"
 #include "core/base/text.h"
+#include "io/cameras/camera_file.h"
 #include "io/documents/camera_set_file.h"
 #include "io/documents/session_file.h"
 #include "io/files/folders.h"
@@ -18,26 +19,44 @@ namespace {
 void sayWhatWasMade(const CameraSet& set, const Session& before, const Session& after,
                     const std::string& output) {
   const bool isKept = set.params.keepTemplate;
+  const bool isOfFile = std::holds_alternative<CalibratedCameras>(set.source);
   const std::size_t first = before.cameras.size() - (isKept ? 0 : 1);
   const std::string& model = set.params.templateState.empty() ? before.cameras.front().camera.name
                                                               : set.params.templateState;
   std::cout << after.cameras.size() - first
             << " camera state(s) added: " << after.cameras[first].camera.name << " … "
             << after.cameras.back().camera.name << "; " << after.cameras.size() << " in "
-            << printable(output)
-            << "\ntheir lens, PSF, resolution and field of view are those of \"" << model << "\", "
+            << printable(output) << "\ntheir "
+            << (isOfFile ? "lens, intrinsics and size are the file's, the rest is that of \""
+                         : "lens, PSF, resolution and field of view are those of \"")
+            << model << "\", "
             << (isKept ? "which stays (--set cameraSet.keepTemplate=false leaves it out)"
                        : "which is left out")
             << "\n";
 }
 
+/// Says what was guessed of a file, and which size is assumed of cameras that do not say it.
+void sayGuesses(const CameraSet& set, const Session& after) {
+  for (const std::string& note : set.notes) printNote(set.traceFile + ": " + note);
+  const auto* const file = std::get_if<CalibratedCameras>(&set.source);
+  if (file == nullptr) return;
+  const std::size_t first = after.cameras.size() - file->cameras.size();
+  for (std::size_t k = 0; k < file->cameras.size(); ++k) {
+    const CameraParams& camera = after.cameras[first + k].camera;
+    const std::string warning = assumedSizeOf(file->cameras[k].calibration, camera.res);
+    if (warning.empty()) continue;
+    return printNote(set.traceFile + ": warning: " + camera.name + " " + warning);
+  }
+}
+
 int runMakeCameras(const CommandLine& line) {
   const Session session = loadSelected(line);
-  const CameraSet set = loadCameraSet(line.subject, line.jobOverrides);
-  if (!line.has("quiet"))
-    for (const std::string& note : set.notes)
-      printNote((set.traceFile.empty() ? line.subject : set.traceFile) + ": " + note);
+  const std::string camera = line.has("calibration") ? "" : line.text("camera");
+  const CameraSet set = loadCameraSet(line.subject, line.jobOverrides, camera);
+  if (!camera.empty() && !std::holds_alternative<CalibratedCameras>(set.source))
+    throw InputError("--camera " + camera, line.subject + " is no file of cameras");
   const Session result = withCameras(session, set);
+  if (!line.has("quiet")) sayGuesses(set, result);
   const std::string output = line.text("output");
   if (!isSessionFile(output))
     throw InputError(output, "cannot be written", "a session's name ends in .hogelscope or .json");
@@ -58,10 +77,11 @@ Job cameraJob() {
       .value = "uniform|random|normal|FILE",
       .help =
           "Adds camera states to a copy of the session: uniform (a grid), random or normal "
-          "over a region, a distribution of your own FILE.json, or a viewer's trace FILE.csv.",
+          "over a region, a distribution of your own, a viewer's trace, or the cameras of a file.",
       .details =
           "--output may be the session itself. With --states only those of the session's "
-          "states are kept.",
+          "states are kept. What a FILE is, is told by what is in it: a camera set, a trace, or "
+          "cameras of OpenCV, ROS, Kalibr, transforms.json, COLMAP or glTF, with their places.",
       .examples =
           "  hogelscope --make-cameras uniform --session s.json --count 15 --region arc \\\n"
           "             --output arc.json\n"
@@ -69,6 +89,8 @@ Job cameraJob() {
           "             --set cameraRegion.lookat=nearest --output random.json\n"
           "  hogelscope --make-cameras trace.csv --session s.json --count 600 --output "
           "viewer.json\n"
+          "  hogelscope --make-cameras transforms.json --session s.json \\\n"
+          "             --set cameraSet.scale=0.1 --output capture.json\n"
           "  hogelscope --make-cameras viewer.json --session s.json --set trace.only=I01P2R3 \\\n"
           "             --output seen.json\n",
       .sections = {"cameraSet", "cameraRegion", "trace"},

@@ -3,9 +3,11 @@
 #include <array>
 #include <cmath>
 #include <filesystem>
+#include <functional>
 #include <iostream>
 #include <sstream>
 
+#include "cli/camera_words.h"
 #include "cli/inputs.h"
 #include "cli/jobs.h"
 #include "cli/terminal.h"
@@ -13,6 +15,7 @@
 #include "core/base/text.h"
 #include "core/panel/depth_budget.h"
 #include "core/panel/sheet_numbers.h"
+#include "io/cameras/camera_file.h"
 #include "io/documents/session_file.h"
 #include "io/documents/sheet_file.h"
 #include "io/files/folders.h"
@@ -341,6 +344,16 @@ void writeContactSheet(const CommandLine& line, const OrderedSession& subject,
   if (isStretched) printNote(file.string() + ": contrast stretched, because the views are dark");
 }
 
+/// Returns what prints a file of cameras or a trace; null for all else, and for meshes with
+/// cameras.
+std::function<void(std::ostream&, const std::string&)> printerOf(const std::string& file) {
+  std::error_code none;
+  if (!fs::is_regular_file(file, none) || isMeshFile(file)) return nullptr;
+  if (isCameraFile(file)) return printCameraFile;
+  if (isTraceFile(file)) return printTraceFile;
+  return nullptr;
+}
+
 }  // namespace
 
 int runInfo(const CommandLine& line) {
@@ -353,6 +366,15 @@ int runInfo(const CommandLine& line) {
     std::vector<std::string> warnings;
     const SheetCalibration calibration = loadSheetCalibration(line.subject, &warnings);
     printSheet(out, calibration, warnings);
+    std::cout << out.str();
+    return 0;
+  }
+  if (const auto print = printerOf(line.subject)) {
+    for (const char* option : {"json", "output", "set"})
+      if (line.has(option))
+        throw InputError("command line", std::string("--") + option,
+                         "is for a light field, not for a file of cameras or a trace");
+    print(out, line.subject);
     std::cout << out.str();
     return 0;
   }
@@ -377,7 +399,7 @@ Job infoJob() {
           .help =
               "Says what a session, a light field's image, a folder of views or a store is, in "
               "which order its views are, and how sure that is; or what a lens sheet's "
-              "calibration (visual.json) is.",
+              "calibration (visual.json), a file of cameras or a viewer's trace is.",
           .details =
               "--output DIR writes DIR/views.png, a contact sheet: the views as their cameras "
               "stand, with arrows.",

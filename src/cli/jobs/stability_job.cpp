@@ -10,7 +10,7 @@
 #include "core/base/parallel.h"
 #include "core/base/text.h"
 #include "core/engine/plan.h"
-#include "io/documents/calibration_file.h"
+#include "io/cameras/camera_file.h"
 #include "io/files/atomic_file.h"
 #include "io/files/files_in_use.h"
 
@@ -80,7 +80,7 @@ Job stabilityJob() {
                    .value = "FILE",
                    .after = "calibration",
                    .isInput = true,
-                   .help = "Adds lenses: a JSON list of cameras, or one OpenCV calibration."}},
+                   .help = "Adds lenses: a JSON list of cameras, or a file as for --calibration."}},
           .run = runStability};
 }
 

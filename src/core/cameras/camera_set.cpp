@@ -31,6 +31,7 @@ struct Maker {
   std::vector<CameraPose> operator()(const PoseList& list);
   std::vector<CameraPose> operator()(const PosePath& path);
   std::vector<CameraPose> operator()(const Trace& trace);
+  std::vector<CameraPose> operator()(const CalibratedCameras& /*cameras*/) { return {}; }
 };
 
 /// Returns the number of states of each part; those left over by rounding down go to the largest
@@ -142,7 +143,8 @@ std::string prefixOf(const CameraSet& set) {
     constexpr std::array<const char*, 3> spreads{"uniform-", "random-", "normal-"};
     return spreads[std::size_t(set.region.distribution)];
   }
-  constexpr std::array<const char*, 5> sources{"", "mixture-", "pose-", "path-", "trace-"};
+  constexpr std::array<const char*, 6> sources{"",      "mixture-", "pose-",
+                                               "path-", "trace-",   "camera-"};
   return sources[set.source.index()];
 }
 
@@ -175,6 +177,18 @@ Vec3 rounded(const Vec3& p) {
   return {roundedToNanometres(p.x), roundedToNanometres(p.y), roundedToNanometres(p.z)};
 }
 
+/// Returns the cameras in metres, under the set's name if it has one.
+CalibratedCameras scaled(CalibratedCameras file, const CameraSetParams& params) {
+  const double scale = params.scale == notGiven ? 1 : params.scale;
+  const std::size_t digits = std::max<std::size_t>(4, std::to_string(file.cameras.size()).size());
+  for (std::size_t k = 0; k < file.cameras.size(); ++k) {
+    CalibratedCamera& camera = file.cameras[k];
+    if (camera.pose) camera.pose->origin = scale * camera.pose->origin;
+    if (!params.name.empty()) camera.name = numbered(params.name + "-", (long long)(k + 1), digits);
+  }
+  return file;
+}
+
 void checkReach(const Vec3& p, const std::string& name, const char* field) {
   constexpr double farthest = 1e6;  // as in the description of CameraParams
   if (std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}) > farthest)
@@ -184,7 +198,7 @@ void checkReach(const Vec3& p, const std::string& name, const char* field) {
 }  // namespace
 
 void describe(ParameterVisitor& v, CameraSetParams& p) {
-  auto& [count, seed, name, templateState, keepTemplate, place] = p;
+  auto& [count, seed, name, templateState, keepTemplate, place, scale] = p;
   v.group("cameraSet", "A camera set: how many states, and what they have in common.");
   v.field("count", count, {1, 100000, 1}, "", "States to make; of a trace: samples in time.");
   v.field("seed", seed, {0, 2147483647, 1}, "", "Of the random numbers.");
@@ -199,6 +213,8 @@ void describe(ParameterVisitor& v, CameraSetParams& p) {
   v.field("place", place, {1e-6, 1e3, 0.001}, "m",
           "Trace: samples within a cube of this side become one state, whose weight is their "
           "number.");
+  v.field("scale", scale, {1e-9, 1e9, 0.001, true}, "m",
+          "File of cameras: one unit of its places; not given: a metre.");
 }
 
 void describe(ParameterVisitor& v, TraceParams& p) {
@@ -250,6 +266,12 @@ Session withCameras(const Session& session, const CameraSet& set) {
       std::max<std::size_t>(4, std::to_string(before + (long long)poses.size()).size());
   Session result = session;
   if (!set.params.keepTemplate) result.cameras.erase(result.cameras.begin() + std::ptrdiff_t(at));
+  if (const auto* file = std::get_if<CalibratedCameras>(&set.source)) {
+    for (CameraState& state :
+         statesOf(scaled(*file, set.params), model, world.origin, result.cameras))
+      result.cameras.push_back(std::move(state));
+    return result;
+  }
   for (std::size_t k = 0; k < poses.size(); ++k) {
     CameraState state = model;
     state.camera.name = numbered(prefix, before + 1 + (long long)k, digits);

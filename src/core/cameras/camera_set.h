@@ -7,6 +7,7 @@
 #include <variant>
 #include <vector>
 
+#include "core/cameras/calibrated_camera.h"
 #include "core/cameras/camera_region.h"
 #include "core/optics/session.h"
 
@@ -20,6 +21,7 @@ struct CameraSetParams {
   std::string templateState;
   bool keepTemplate = true;
   double place = 0.01;
+  double scale = notGiven;
   bool operator==(const CameraSetParams&) const = default;
 };
 
@@ -85,23 +87,25 @@ struct Trace {
 };
 
 /// The description of a camera set. Without a source it is `region`'s own distribution; with one,
-/// `region` gives the look-at of states without their own.
+/// `region` gives the look-at of states without their own. Cameras of a file are in the world.
 struct CameraSet {
   CameraSetParams params;
   CameraRegionParams region;
-  std::variant<std::monostate, Mixture, PoseList, PosePath, Trace> source;
-  std::string traceFile = {};           ///< that the Trace was read from
+  std::variant<std::monostate, Mixture, PoseList, PosePath, Trace, CalibratedCameras> source;
+  std::string traceFile = {};           ///< that the Trace, or the cameras, were read from
   std::vector<std::string> notes = {};  ///< what was guessed of it, and what is left aside
 };
 
-/// Returns the poses in the display frame; `panel` is the display's width and height. Random
-/// numbers are seeded (std::mt19937_64) and drawn in the order of the states.
+/// Returns the poses in the display frame, but none of a file's cameras, which are statesOf();
+/// `panel` is the display's width and height. Random numbers are seeded (std::mt19937_64) and drawn
+/// in the order of the states.
 std::vector<CameraPose> posesOf(const CameraSet& set, const std::array<double, 2>& panel);
 
 /// Returns the session with the set's states appended, without the template unless `keepTemplate`,
-/// otherwise unchanged. Lens, intrinsics, PSF, resolution and field of view are the template's; up
-/// is the panel's. Positions are rounded to 1e-9 m, so that they do not depend on a machine's sine.
-/// Throws InputError if there is no such template or a state is invalid in a session.
+/// otherwise unchanged. Lens, intrinsics, PSF, resolution and field of view are the template's, or
+/// those of a file's cameras; up is the panel's, or theirs. Positions are rounded to 1e-9 m, so
+/// that they do not depend on a machine's sine. Throws InputError if there is no such template or a
+/// state is invalid in a session.
 Session withCameras(const Session& session, const CameraSet& set);
 
 }  // namespace hogelscope

@@ -138,8 +138,9 @@ bool CameraSetWidget::addFromFile(const QString& file) {
 }
 
 void CameraSetWidget::askFile() {
-  const QString file = chooseFile(this, tr("Add states from a camera set"),
-                                  tr("Camera sets and traces (*.json *.csv)"));
+  const QString file = chooseFile(
+      this, tr("Add states from a camera set"),
+      tr("Camera sets, traces and cameras (*.json *.csv *.txt *.yaml *.xml *.bin);;All files (*)"));
   if (!file.isEmpty()) addFromFile(file);
 }
 

@@ -5,6 +5,7 @@
 #include <QDropEvent>
 #include <QFileInfo>
 #include <QImage>
+#include <QInputDialog>
 #include <QMimeData>
 #include <QUrl>
 #include <algorithm>
@@ -20,7 +21,7 @@
 #include "gui/widgets/dialogs.h"
 #include "gui/widgets/guarded.h"
 #include "gui/widgets/task.h"
-#include "io/documents/calibration_file.h"
+#include "io/cameras/camera_file.h"
 #include "io/documents/session_file.h"
 #include "io/documents/sheet_file.h"
 #include "io/opening/opening.h"
@@ -29,6 +30,14 @@
 namespace hogelscope {
 
 namespace {
+
+/// Whether a file has a camera's calibration; a YAML file is meant for one, even if it has none.
+bool isCalibration(const QString& file) {
+  const QString suffix = QFileInfo(file).suffix().toLower();
+  return suffix == "yml" || suffix == "yaml" ||
+         (!isMeshFile(file.toStdString()) && QFileInfo(file).isFile() &&
+          isCameraFile(file.toStdString()));
+}
 
 /// Returns what a session is made around, in words for the list of recent files.
 QString whatIs(const Session& session) {
@@ -295,9 +304,30 @@ bool FileCommands::save(const QString& file) {
 bool FileCommands::importCalibration(const QString& file) {
   return guarded(this, [&] {
     CameraState state = m_model->current();
-    apply(loadCalibration(file.toStdString()), state);
-    m_model->setCurrent(state);
+    if (takeCalibration(file, state)) m_model->setCurrent(state);
   });
+}
+
+/// Gives a state the camera of a file, of several the one that the user chooses, and says what was
+/// guessed of it. Returns false if none was chosen. Throws InputError.
+bool FileCommands::takeCalibration(const QString& file, CameraState& state) {
+  const CameraFile cameras = readCameraFile(file.toStdString(), CameraUse::lens);
+  QStringList names;
+  for (const std::string& name : differingCameras(cameras)) names << QString::fromStdString(name);
+  bool isChosen = true;
+  const QString name =
+      names.isEmpty() ? QString()
+                      : QInputDialog::getItem(m_window, tr("Import calibration"),
+                                              tr("Camera of %1").arg(QFileInfo(file).fileName()),
+                                              names, 0, false, &isChosen);
+  if (!isChosen) return false;
+  std::vector<std::string> notes;
+  const Calibration calibration = loadCalibration(file.toStdString(), name.toStdString(), &notes);
+  apply(calibration, state);
+  notes.push_back(assumedSizeOf(calibration, state.camera.res));
+  for (const std::string& note : notes)
+    if (!note.empty()) Q_EMIT failed(file + ": " + QString::fromStdString(note));
+  return true;
 }
 
 void FileCommands::watchFiles() {
@@ -332,25 +362,26 @@ void FileCommands::openFiles(const QStringList& files) {
     return openSheet(calibration, isSession ? QString() : other);
   }
   // The session first.
-  std::stable_partition(sorted.begin(), sorted.end(),
-                        [](const QString& file) { return isSessionFile(file.toStdString()); });
+  std::stable_partition(sorted.begin(), sorted.end(), [](const QString& file) {
+    return isSessionFile(file.toStdString()) && !isCalibration(file);
+  });
   for (qsizetype k = 0; k < sorted.size(); ++k) openAny(sorted[k], k == 0);
 }
 
 /// Opens one of several files. Only the first may be the session; a second one is a light field to
 /// compare with.
 void FileCommands::openAny(const QString& file, bool isFirst) {
-  const QString suffix = QFileInfo(file).suffix().toLower();
-  const bool isCalibration = suffix == "yml" || suffix == "yaml";
+  const bool isOfCamera = isCalibration(file);
   const bool isOpen = !m_model->session().cameras.empty();
-  const bool isWhole = isSessionFile(file.toStdString()) || isMeshFile(file.toStdString());
-  if (isFirst && (isWhole || !(isOpen || isCalibration))) {
+  const bool isWhole =
+      !isOfCamera && (isSessionFile(file.toStdString()) || isMeshFile(file.toStdString()));
+  if (isFirst && (isWhole || !(isOpen || isOfCamera))) {
     if (mayLeave()) open(file);
-  } else if (isFirst && isCalibration && !isOpen) {
+  } else if (isFirst && isOfCamera && !isOpen) {
     openCalibration(file);
   } else if (!isOpen) {
     Q_EMIT failed(tr("%1: needs an open session (*.hogelscope, *.json)").arg(file));
-  } else if (isCalibration) {
+  } else if (isOfCamera) {
     importCalibration(file);
   } else {
     compareOrOpen(file);
@@ -373,8 +404,7 @@ void FileCommands::compareOrOpen(const QString& file) {
 void FileCommands::openCalibration(const QString& file) {
   guarded(this, [&] {
     Session session = newSession();
-    apply(loadCalibration(file.toStdString()), session.cameras.front());
-    m_model->openNew(session);
+    if (takeCalibration(file, session.cameras.front())) m_model->openNew(session);
   });
 }
 
@@ -416,8 +446,9 @@ void FileCommands::askLightField(bool isAsked) {
 }
 
 void FileCommands::askImport() {
-  const QString file = chooseFile(m_window, tr("Import OpenCV calibration"),
-                                  tr("Calibrations (*.yml *.yaml *.json)"));
+  const QString file =
+      chooseFile(m_window, tr("Import OpenCV calibration"),
+                 tr("Calibrations (*.yml *.yaml *.json *.xml *.txt *.bin);;All files (*)"));
   if (!file.isEmpty()) importCalibration(file);
 }
 

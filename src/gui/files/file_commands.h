@@ -20,6 +20,7 @@ class OpeningDialog;
 class RecentFiles;
 class SessionModel;
 class Task;
+struct CameraState;
 struct Opening;
 
 class FileCommands : public QObject {
@@ -41,7 +42,7 @@ class FileCommands : public QObject {
   /// Imports a calibration into the current state.
   bool importCalibration(const QString& file);
 
-  /// Opens files of the command line or a drop: a session opens, a calibration (*.yml, *.yaml) goes
+  /// Opens files of the command line or a drop: a session opens, a camera's calibration goes
   /// to the current state, and the open session is compared with a light field. A mesh, and a light
   /// field that cannot be compared, opens in a new session; a calibration without a session creates
   /// one. With a lens sheet's calibration another file is a quilt, which opens on that sheet;
@@ -72,6 +73,7 @@ class FileCommands : public QObject {
   void take(const QString& file, const Opening& opening);
   void compareOrOpen(const QString& file);
   void openCalibration(const QString& file);
+  bool takeCalibration(const QString& file, CameraState& state);
   void checkOrder(const QString& file);
   void remember(const QString& file, const QString& what);
   void rememberSession(const QString& file);

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/documents/camera_set_file.h"
 
+#include <algorithm>
+
 #include "core/base/error.h"
+#include "core/base/text.h"
+#include "io/cameras/camera_file.h"
 #include "io/documents/trace_file.h"
 #include "io/files/atomic_file.h"
 #include "io/json/json_parameters.h"
@@ -13,15 +17,18 @@ namespace {
 constexpr const char* setVersion = "hogelscopeCameras";
 constexpr std::size_t mostPoses = 100000;
 
+constexpr std::array<std::string_view, 3> distributions{"uniform", "random", "normal"};
+
 bool isJson(const std::string& file) {
   return file.ends_with(".json") || file.ends_with(".JSON");
 }
 
 /// Whether the name is that of a file: its kind is told by what is in it.
 bool isFile(const std::string& what) {
+  if (std::ranges::find(distributions, what) != distributions.end()) return false;
   std::error_code none;
   return isJson(what) || what.ends_with(".csv") || what.ends_with(".CSV") ||
-         std::filesystem::is_regular_file(what, none);
+         std::filesystem::exists(what, none);
 }
 
 /// Applies an override, also to each part of a mixture that has a region of its own.
@@ -159,19 +166,39 @@ CameraSet readDocument(const Json& document, const std::filesystem::path& folder
   return set;
 }
 
-Json documentOf(const std::string& what) {
-  if (isJson(what)) {
+/// Reads the cameras of a file, all or one, and says what is assumed of their places.
+void loadCameras(const std::string& file, const std::string& camera, CameraSet& set) {
+  const CameraFile cameras = readCameraFile(file, CameraUse::poses);
+  CalibratedCameras wanted = calibratedCameras(cameras, camera);
+  set.traceFile = file;
+  set.notes = cameras.notes;
+  const auto hasPose = [](const CalibratedCamera& one) { return one.pose.has_value(); };
+  if (std::ranges::none_of(wanted.cameras, hasPose))
+    set.notes.emplace_back("says no places of cameras: they stand where the template does");
+  else if (cameras.isRig)
+    set.notes.push_back(printable(cameras.cameras.front().name) +
+                        " stands where the template does, and the others about it");
+  else if (!cameras.hasScale && set.params.scale == notGiven)
+    set.notes.emplace_back(
+        "says no unit of its places: one is taken for a metre; cameraSet.scale "
+        "says another");
+  set.source = std::move(wanted);
+}
+
+Json documentOfSet(const std::string& what) {
+  if (isFile(what)) {
     const std::string text = readTextFile(what);
-    if (text.find_first_not_of(" \t\r\n") == std::string::npos)
+    const std::size_t begin = text.find_first_not_of(" \t\r\n");
+    if (isJson(what) && begin == std::string::npos)
       throw InputError("is empty: not a camera set", "");
-    return parseJson(text);
+    if (isJson(what) || (begin != std::string::npos && text[begin] == '{')) return parseJson(text);
   }
   Json document{{setVersion, 1}};
   if (isFile(what)) {
     document["trace"]["file"] = std::filesystem::path(what).filename().string();
     return document;
   }
-  if (what != "uniform" && what != "random" && what != "normal")
+  if (std::ranges::find(distributions, what) == distributions.end())
     throw InputError("\"" + what + "\" is not one of uniform, random, normal, nor a file", "");
   document["cameraRegion"]["distribution"] = what;
   return document;
@@ -179,11 +206,15 @@ Json documentOf(const std::string& what) {
 
 }  // namespace
 
-CameraSet loadCameraSet(const std::string& what, const std::vector<std::string>& overrides) {
+CameraSet loadCameraSet(const std::string& what, const std::vector<std::string>& overrides,
+                        const std::string& camera) {
   return inFile(isFile(what) ? what : "camera set", [&] {
-    Json document = documentOf(what);
+    const bool isOfCameras = isFile(what) && isCameraFile(what);
+    Json document = isOfCameras ? Json{{setVersion, 1}} : documentOfSet(what);
     for (const std::string& text : overrides) overrideSet(document, text);
-    return readDocument(document, std::filesystem::path(what).parent_path());
+    CameraSet set = readDocument(document, std::filesystem::path(what).parent_path());
+    if (isOfCameras) loadCameras(what, camera, set);
+    return set;
   });
 }
 

@@ -20,6 +20,9 @@ namespace hogelscope {
 /// `overrides` are as for loadSession(), for cameraSet, cameraRegion and trace; those for the
 /// region apply to every part of a mixture too. Throws InputError that names the file and the place
 /// in it.
-CameraSet loadCameraSet(const std::string& what, const std::vector<std::string>& overrides = {});
+/// A file of cameras (io/cameras/camera_file.h) is a set of them, of `camera` alone if it is not
+/// "".
+CameraSet loadCameraSet(const std::string& what, const std::vector<std::string>& overrides = {},
+                        const std::string& camera = "");
 
 }  // namespace hogelscope

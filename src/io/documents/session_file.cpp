@@ -112,9 +112,16 @@ void applyCalibration(Json& document, const Calibration& calibration) {
   if (!document.is_object() || !document.contains("cameras")) return;
   for (Json& state : document["cameras"]) {
     if (!state.is_object()) continue;
-    state["intrinsics"] = written(calibration.intrinsics);
-    state["distortion"] = written(calibration.distortion);
-    if (calibration.res) state["res"] = *calibration.res;
+    CameraParams shown;
+    try {
+      if (state.contains("res")) shown.res = state["res"].get<std::array<int, 2>>();
+    } catch (const Json::exception&) {  // the state's reader says what is wrong
+      continue;
+    }
+    const Calibration own = completed(calibration, shown.res);
+    if (own.intrinsics.isGiven()) state["intrinsics"] = written(own.intrinsics);
+    state["distortion"] = written(own.distortion);
+    state["res"] = *own.res;
   }
 }
 

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "core/cameras/calibrated_camera.h"
 #include "core/optics/session.h"
-#include "io/documents/calibration_file.h"
 
 namespace hogelscope {
 

@@ -144,20 +144,33 @@ Json valueOf(Events& events, int depth) {
   }
 }
 
+/// Calls `visit` where a document's mapping begins.
+template <class Visit>
+void visitDocuments(Events& events, const Visit& visit) {
+  for (auto type = events.next(); type != YAML_STREAM_END_EVENT; type = events.next()) {
+    const bool isEmpty = type == YAML_SCALAR_EVENT && events.current().data.scalar.length == 0;
+    if (type == YAML_MAPPING_START_EVENT)
+      visit();
+    else if (type == YAML_SEQUENCE_START_EVENT || (type == YAML_SCALAR_EVENT && !isEmpty))
+      events.refuse("is not of the form NAME: VALUE");
+  }
+}
+
 }  // namespace
 
 Json parseOpenCvYaml(const std::string& text) {
   const std::string yaml = standardYaml(text);
   Events events(yaml);
   Json document = Json::object();
-  for (auto type = events.next(); type != YAML_STREAM_END_EVENT; type = events.next()) {
-    const bool isEmpty = type == YAML_SCALAR_EVENT && events.current().data.scalar.length == 0;
-    if (type == YAML_MAPPING_START_EVENT)
-      addKeys(events, document, 0);
-    else if (type == YAML_SEQUENCE_START_EVENT || (type == YAML_SCALAR_EVENT && !isEmpty))
-      events.refuse("is not of the form NAME: VALUE");
-  }
+  visitDocuments(events, [&] { addKeys(events, document, 0); });
   return document;
+}
+
+std::vector<Json> parseYaml(const std::string& text) {
+  Events events(text);
+  std::vector<Json> documents;
+  visitDocuments(events, [&] { addKeys(events, documents.emplace_back(Json::object()), 0); });
+  return documents;
 }
 
 }  // namespace hogelscope

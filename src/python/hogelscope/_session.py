@@ -290,11 +290,11 @@ def cameras(
     Args:
         session: whose display they look at, and whose first state gives lens, PSF, resolution and
             field of view.
-        what: "uniform" (a regular grid; "grid" is the same), "random", "normal", or a FILE.json or
-            FILE.csv of poses, a path or a viewer's trace.
+        what: "uniform" (a regular grid; "grid" is the same), "random", "normal", or a file of
+            poses, a path, a viewer's trace, or cameras of another program.
         region: fields of cameraRegion, such as {"region": "arc", "distance": [0.4, 0.8]} (m).
         trace: fields of trace.
-        settings: fields of cameraSet: count, seed, name, template, place.
+        settings: fields of cameraSet: count, seed, name, template, place, scale.
 
     The session is not changed: session["cameras"] += cameras(…) adds them. Raises InputError.
     """
