@@ -16,6 +16,10 @@ bool isLetterAt(const std::string& text, std::size_t at) {
   return at < text.size() && std::isalpha(static_cast<unsigned char>(text[at])) != 0;
 }
 
+bool isDigitAt(const std::string& text, std::size_t at) {
+  return at < text.size() && std::isdigit(static_cast<unsigned char>(text[at])) != 0;
+}
+
 void checkLength(const std::string& text, const char* field) {
   constexpr std::size_t longest = 255;  // as a file's name
   if (text.size() > longest) throw InputError(field, "is longer than a file's name can be");
@@ -115,7 +119,9 @@ NamePattern namePattern(const std::string& text) {
     const std::size_t run = std::min(text.find_first_not_of(c, at), text.size()) - at;
     const bool isAlone = (at == 0 || !isLetterAt(text, at - 1)) && !isLetterAt(text, at + run);
     const bool isNumber = (c == 'R' || c == 'C' || c == 'N') && (run > 1 || isAlone);
-    const bool isCoordinate = (c == 'x' || c == 'y') && run == 1 && isAlone;
+    // Between digits, as in 1920x1080, no coordinate could be told from them.
+    const bool isInNumber = at > 0 && isDigitAt(text, at - 1) && isDigitAt(text, at + 1);
+    const bool isCoordinate = (c == 'x' || c == 'y') && run == 1 && isAlone && !isInNumber;
     pattern.tokens.push_back({isNumber       ? Kind::number
                               : isCoordinate ? Kind::coordinate
                               : c == '*'     ? Kind::anything

@@ -26,8 +26,9 @@ struct NamePattern {
 };
 
 /// Reads a pattern: RR, CC, NNN (or one such letter alone) are numbers, x and y alone are
-/// coordinates, * is any text; an extension such as ".png" may be left out. Throws InputError if it
-/// is too long, or has neither row and column, nor a running number, nor only coordinates.
+/// coordinates (but not between digits, as in 64x32), * is any text; an extension such as ".png"
+/// may be left out. Throws InputError if it is too long, or has neither row and column, nor a
+/// running number, nor only coordinates.
 NamePattern namePattern(const std::string& text);
 
 /// Reads a pattern with printf's %d or %02d: row and column, or one running number. Throws

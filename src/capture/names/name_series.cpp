@@ -247,8 +247,11 @@ bool isPlain(const std::string& text, char before, char after) {
     if (c != 'R' && c != 'C' && c != 'N' && c != 'x' && c != 'y') continue;
     const bool isAlone =
         (at == 0 || !isLetter(text[at - 1])) && (at + 1 == text.size() || !isLetter(text[at + 1]));
-    const bool isRun = at + 1 < text.size() && text[at + 1] == c && c != 'x' && c != 'y';
-    if (isAlone || isRun) return false;
+    const bool isAxis = c == 'x' || c == 'y';
+    const bool isRun = at + 1 < text.size() && text[at + 1] == c && !isAxis;
+    const bool isInNumber =
+        isAxis && at > 0 && at + 1 < text.size() && isDigit(text[at - 1]) && isDigit(text[at + 1]);
+    if ((isAlone && !isInNumber) || isRun) return false;
   }
   return true;
 }
