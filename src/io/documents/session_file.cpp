@@ -143,6 +143,19 @@ Session readOverridden(Json& document, const std::vector<std::string>& overrides
   return session;
 }
 
+/// Gives a session the layout of an override, so that it is written without the fields that mean
+/// something else there: "columns" is an order of views, or a quilt's number of them.
+void takeLayout(Session& session, const std::vector<std::string>& overrides) {
+  for (const std::string& text : overrides) {
+    if (!text.starts_with("lightField.layout=")) continue;
+    const Json value = parseOverride(text).value;
+    for (const Layout layout :
+         {Layout::hogels, Layout::views, Layout::quilt, Layout::mosaic, Layout::lenslets})
+      if (!session.lightField.isLive() && value == nameOf(layout))
+        session.lightField.layout = layout;
+  }
+}
+
 /// Opens the lenses of plugins, so that their errors are reported when the document is read.
 void openLenses(const DisplayParams& display) {
   for (const std::size_t axis : {0, 1}) (void)lensOf(display, axis);
@@ -224,8 +237,10 @@ bool isSessionDocument(const fs::path& file) {
 Session overridden(const Session& session, const std::vector<std::string>& overrides) {
   if (overrides.empty()) return session;
   return inFile(session.lightField.file, [&] {
-    Json document = parseJson(textOf(session));
-    Session changed = readOverridden(document, overrides, {});
+    Session changed = session;
+    takeLayout(changed, overrides);
+    Json document = parseJson(textOf(changed));
+    changed = readOverridden(document, overrides, {});
     openLenses(changed.display);
     return changed;
   });
