@@ -82,8 +82,8 @@ module, which programs in C++ and Python use too.")
 set(CPACK_DEBIAN_DEV_PACKAGE_NAME libhogelscope-dev)
 set(CPACK_DEBIAN_DEV_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_DEV_PACKAGE_SHLIBDEPS OFF)
-string(CONCAT CPACK_DEBIAN_DEV_PACKAGE_DEPENDS "${same_program}, ${same_window}, libhdf5-dev, libopencv-dev, "
- "libopenexr-dev, libopenimageio-dev, libspng-dev, libtbb-dev, libvtk9-dev, libxxhash-dev, libyaml-dev, libzstd-dev, "
+string(CONCAT CPACK_DEBIAN_DEV_PACKAGE_DEPENDS "${same_program}, ${same_window}, libavcodec-dev, libavformat-dev, "
+ "libavutil-dev, libhdf5-dev, libopencv-dev, libopenexr-dev, libopenimageio-dev, libspng-dev, libswscale-dev, libtbb-dev, libvtk9-dev, libxxhash-dev, libyaml-dev, libzstd-dev, "
  "nlohmann-json3-dev, openimageio-tools, pkgconf")
 set(CPACK_DEBIAN_DEV_DESCRIPTION "simulated viewing of light field displays - development files
 Headers, static libraries and the CMake package of Hogelscope: the renderer,

@@ -48,7 +48,8 @@ JOBS += [(name, render("m.obj" if name == "a.mtl" else name, "--set", "camera.re
          for name in MESHES]
 # Videos, HDF5 and pictures of rare formats, which a process of their own reads: the fuzzers' seeds.
 OTHERS = {"v.mp4": "video/mpeg4.mp4", "v.mov": "video/png.mov", "v.avi": "video/png.avi",
-          "v.h5": "hdf5/lf.h5"} | {f"p.{ending}": f"image/plain.{ending}" for ending in
+          "v.mkv": "video/hevc.mkv", "v.webm": "video/vp9.webm", "v.y4m": "video/raw.y4m",
+          "v.ts": "video/h264.ts", "v.h5": "hdf5/lf.h5"} | {f"p.{ending}": f"image/plain.{ending}" for ending in
                                    ("dds", "iff", "psd", "tga", "gif", "jp2", "webp", "dpx")}
 JOBS += [(name, render(name, "--set", "camera.res=[60,60]")) for name in OTHERS if name[0] == "v"]
 JOBS += [(name, render(name, "--set", "display.hogels=[4,3]", "--set", "display.directions=[4,4]"))

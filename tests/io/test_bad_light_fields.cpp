@@ -327,7 +327,7 @@ void TestBadLightFields::rawPictures_data() {
           "a.yuv: size: is 72 bytes, but one picture of 1000000×1000000 px, 4:2:0, 10 bits has "
           "3000000000000; mend lightField.yuvSize, yuvSampling or yuvBits");
   refused("YUV of 9 bits", yuv(R"(, "yuvBits": 9)"),
-          "s.json: lightField.yuvBits: 9 is not one of 8, 10, … 10");
+          "s.json: lightField.yuvBits: 9 is not one of 8, 10, … 16");
   writeFile("wide.yuv", QByteArray(144, 'a'));
   refused("YUV that is not 10 bits",
           hogels(R"(wide.yuv", "yuvSize": [8, 6], "yuvBits": 10, "yuvMatrix": "bt601)"),

@@ -452,9 +452,9 @@ class TestViewSequences : public QObject {
                 .contains("12 views do not make a grid of 5×5; mend display.directions"));
     writeFile("text.mp4", "no video");
     QVERIFY(errorOf("text.mp4").startsWith("text.mp4: cannot be read as a picture"));
-    // The frames of a stream have to be counted; its reader gives 1 011 703 395 for 9.
+    // A stream does not say its frames: they are counted.
     writeVideo("views.mpg", 9, "PIM1");
-    QVERIFY(errorOf("views.mpg").contains("does not say how many frames it has"));
+    QVERIFY((open("views.mpg")->size() == LightFieldSize{width + 9, height + 11, 3, 3}));
     const QByteArray whole = contentOf("views.avi");
     writeFile("cut.avi", whole.left(whole.size() / 2));
     const QByteArray error = errorOf("cut.avi");

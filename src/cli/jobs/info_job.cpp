@@ -78,7 +78,7 @@ void printSequence(std::ostream& out, const Session& around) {
   const auto file = openLightField(around.lightField, around.display);
   out << "layout      views in one file, " << file->size().dv << " rows of " << file->size().du
       << "\n"
-      << "pictures    " << typeName(file->type(), file->bits()) << "\n";
+      << "pictures    " << file->format() << ", " << typeName(file->type(), file->bits()) << "\n";
   printSize(out, around);
 }
 

@@ -6,6 +6,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "io/codecs/open_image_io.h"
+#include "io/codecs/video_input.h"
 
 namespace hogelscope {
 
@@ -16,6 +17,10 @@ class AllCodecs : public Codecs {
   [[nodiscard]] std::unique_ptr<ImageInput> open(const std::filesystem::path& file,
                                                  const std::string& format) const override {
     return openByOpenImageIo(file, format);
+  }
+  [[nodiscard]] std::unique_ptr<ImageInput> openVideo(const std::filesystem::path& file,
+                                                      const std::string& format) const override {
+    return hogelscope::openVideo(file, format);
   }
   [[nodiscard]] std::unique_ptr<ImageOutput> create(const std::filesystem::path& file,
                                                     const ImageSpec& spec,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Input and output of images and videos by OpenImageIO.
+// Input and output of images by OpenImageIO.
 #include "io/codecs/open_image_io.h"
 
 #include <OpenImageIO/filesystem.h>
@@ -97,29 +97,6 @@ bool isJpegXl(const fs::path& file) {
   throw InputError(file.string(), "cannot be read as a picture", why);
 }
 
-/// Whether a file begins like a video. Excludes texts that name other files or addresses, which
-/// FFmpeg would read: lists of files (ffconcat), HLS, DASH, SDP.
-bool isVideo(const fs::path& file) {
-  using namespace std::string_view_literals;
-  const std::string begin = beginOf(file);
-  const std::string_view all(begin);
-  static constexpr std::array boxes{"ftyp"sv, "moov"sv, "mdat"sv, "free"sv, "skip"sv, "wide"sv};
-  static constexpr std::array signatures{"\x1a\x45\xdf\xa3"sv, "FLV\1"sv, "\x30\x26\xb2\x75"sv,
-                                         "OggS"sv, "YUV4MPEG2"sv};
-  const auto begins = [&](std::string_view signature) { return all.starts_with(signature); };
-  return std::ranges::find(boxes, all.substr(4, 4)) != boxes.end() ||
-         std::ranges::any_of(signatures, begins) ||
-         (begins("RIFF") && all.substr(8, 4) == "AVI "sv);
-}
-
-/// Whether a file begins like an MPEG stream, which does not contain its number of frames.
-bool isMpegStream(const fs::path& file) {
-  using namespace std::string_view_literals;
-  const std::string begin = beginOf(file);
-  return begin.starts_with("\0\0\1\xba"sv) || begin.starts_with("\0\0\1\xb3"sv) ||
-         begin.starts_with("\x47\x40"sv);
-}
-
 /// Opens a file as a format of OpenImageIO. Returns null, with the reason, if it has another
 /// format.
 std::unique_ptr<OIIO::ImageInput> openAs(const std::string& format, const fs::path& file,
@@ -131,20 +108,9 @@ std::unique_ptr<OIIO::ImageInput> openAs(const std::string& format, const fs::pa
   return nullptr;
 }
 
-/// Opens a file as the first format that accepts it, the one of its extension first. Only videos
-/// are passed to FFmpeg.
+/// Opens a file as the first format that accepts it, the one of its extension first. Nothing is
+/// passed to its reader of videos, which loses frames; openVideo() reads them.
 std::unique_ptr<OIIO::ImageInput> openAny(const fs::path& file, std::string& why) {
-  if (isVideo(file)) {
-    std::unique_ptr<OIIO::ImageInput> image = OIIO::ImageInput::open(file.string());
-    if (!image) why = asOneLine(OIIO::geterror(), file);  // otherwise the error is printed
-    return image;
-  }
-  if (isMpegStream(file)) {
-    why =
-        "an MPEG stream does not say how many frames it has; copy it into another file, such as by "
-        "ffmpeg -i NAME.mpg -c copy NAME.mp4";
-    return nullptr;
-  }
   // The extension is also the format's name.
   std::string ending = lowerCase(file.extension().string());
   if (!ending.empty()) ending.erase(0, 1);
@@ -173,12 +139,6 @@ class Input : public ImageInput {
       throw InputError(m_file.string(), "", "is not a flat picture with pixels");
     checkSize(m_spec, m_file);
     takeNumbers();
-    const bool isMovie = m_spec.get_int_attribute("oiio:Movie") != 0;
-    const int frames = isMovie ? m_spec.get_int_attribute("oiio:subimages", 1) : 1;
-    if (isMovie && std::uintmax_t(frames) > fs::file_size(m_file))
-      throw InputError(m_file.string(), "",
-                       "does not say how many frames it has; copy it into another file");
-    m_facts.frames = std::size_t(std::max(frames, 1));
     addWhatFileSays();
   }
 
@@ -189,7 +149,7 @@ class Input : public ImageInput {
   }
 
   void read(std::size_t frame, std::size_t first, std::size_t rows, const Rows& to) override {
-    if (m_spec.get_int_attribute("oiio:Movie") == 0) goTo(int(frame));
+    goTo(int(frame));
     std::visit([&](auto* values) { readRows(int(frame), first, rows, values); }, to);
   }
 
@@ -247,7 +207,7 @@ class Input : public ImageInput {
     const int pictures = m_spec.get_int_attribute("oiio:subimages", 1);
     if (format == "openexr") {
       addParts(pictures);
-    } else if (pictures > 1 && format != "FFmpeg movie") {
+    } else if (pictures > 1) {
       m_facts.pictures = std::size_t(pictures);
       m_facts.frames = 1;
     } else {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Input and output of images and videos by OpenImageIO.
+// Input and output of images by OpenImageIO.
 #pragma once
 
 #include <filesystem>

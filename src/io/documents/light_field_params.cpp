@@ -29,11 +29,12 @@ bool isYuv(const LightFieldParams& params) {
 void describeYuv(ParameterVisitor& v, YuvParams& p) {
   auto& [size, sampling, bits, matrix, range] = p;
   v.field({"yuvSize", "YUV size"}, size, {1, 1e6, 1, true}, "px",
-          "Width and height of the picture, or of each view, in raw YUV.");
+          "Width and height of the picture, or of each view, in raw YUV; not given: the name's, as "
+          "in NAME_1920x1080_yuv420p10le.yuv, with sampling and bits.");
   v.field({"yuvSampling", "YUV sampling"}, sampling, samplingNames,
           "4:2:0: Cb and Cr have half the width and height, rounded up; 4:4:4: all of it.");
-  v.field({"yuvBits", "YUV bits"}, bits, {8, 10, 2}, "bits",
-          "Bits of a sample: 8, a byte; 10, in 16 with the low byte first.");
+  v.field({"yuvBits", "YUV bits"}, bits, {8, 16, 2}, "bits",
+          "Bits of a sample: 8, a byte; more, in 16 with the low byte first.");
   v.field({"yuvMatrix", "YUV matrix"}, matrix, matrixNames,
           "What Y, Cb and Cr are made of: BT.709 or BT.601.");
   v.field({"yuvRange", "YUV range"}, range, rangeNames,

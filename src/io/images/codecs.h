@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The interface to OpenImageIO and OpenCV's codecs, for all image formats except PNG, PGX, raw YUV
-// and this program's TIFFs. They bring 230 libraries, which take longer to load than rendering an
-// image of the sample; io/codecs, which implements this, is therefore a library that the program
-// loads with the first file that needs it. All functions throw InputError that names the file.
+// The interface to OpenImageIO, FFmpeg's libraries and OpenCV's codecs, for videos and all image
+// formats except PNG, PGX, raw YUV and this program's TIFFs. They bring 230 libraries, which take
+// longer to load than rendering an image of the sample; io/codecs, which implements this, is
+// therefore a library that the program loads with the first file that needs it. All functions throw
+// InputError that names the file.
 #pragma once
 
 #include <array>
@@ -68,7 +69,9 @@ struct ImageFacts : ImageNumbers {
   std::string format;  ///< such as "png"
   /// The names of all channels, as the file has them; empty where only colours can be read.
   std::vector<std::string> channelNames{};
-  std::string note{};                ///< what the reader assumes or leaves out; "" for nothing
+  /// What the reader assumes, or what the file says or has beyond the pictures that are read, for
+  /// users: sentences without subject, such as "has two streams of pictures, …".
+  std::vector<std::string> notes{};
   std::vector<PicturePart> parts{};  ///< of formats that have windows; frame k of read() is part k
 };
 
@@ -77,6 +80,10 @@ class ImageInput {
  public:
   virtual ~ImageInput() = default;
   [[nodiscard]] const ImageFacts& facts() const { return m_facts; }
+  /// Works for about half a second to be ready for read() of a frame; returns whether it is ready.
+  /// For videos, whose frames are decoded one after the other: a long way is gone in requests that
+  /// each keep the limit of Isolated.
+  virtual bool prepare(std::size_t /*frame*/) { return true; }
   /// Reads rows as 3·width·rows values of the type; grey becomes RGB, colours come multiplied by
   /// alpha.
   using Rows = std::variant<std::uint8_t*, std::uint16_t*, float*>;
@@ -133,6 +140,10 @@ class Codecs {
   /// Opens a file. `format` is OpenImageIO's name of the only format to try; empty for any.
   [[nodiscard]] virtual std::unique_ptr<ImageInput> open(const std::filesystem::path& file,
                                                          const std::string& format) const = 0;
+  /// Opens a video; `format` is FFmpeg's name of its container (videoFormatOf()). The facts are
+  /// known after prepare(0).
+  [[nodiscard]] virtual std::unique_ptr<ImageInput> openVideo(const std::filesystem::path& file,
+                                                              const std::string& format) const = 0;
   /// Creates an image; the file's extension gives the format. `bytes` must outlive the output.
   [[nodiscard]] virtual std::unique_ptr<ImageOutput> create(const std::filesystem::path& file,
                                                             const ImageSpec& spec,

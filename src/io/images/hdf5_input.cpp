@@ -236,12 +236,14 @@ class Hdf5Input : public ImageInput {
          axes.views.size() == 2 ? lengths[axes.views[1]] : 0},
         "hdf5"};
     m_facts.bandRows = bandRowsOf(m_facts.width);
+    std::string note;
     if (!axes.isUsual)
-      m_facts.note = "keeps " + m_dataSet.name + " as " + m_dataSet.shape.text() +
-                     ", which are taken for " + axes.text;
+      note = "keeps " + m_dataSet.name + " as " + m_dataSet.shape.text() +
+             ", which are taken for " + axes.text;
     if (m_facts.channels == 4)
-      m_facts.note += (m_facts.note.empty() ? "has four channels" : "") +
-                      std::string("; the fourth, a weight or alpha, is left aside");
+      note += (note.empty() ? "has four channels" : "") +
+              std::string("; the fourth, a weight or alpha, is left aside");
+    if (!note.empty()) m_facts.notes = {note};
   }
 
   void read(std::size_t frame, std::size_t first, std::size_t rows, const Rows& to) override {

@@ -83,8 +83,7 @@ ImageFile::ImageFile(fs::path file, std::unique_ptr<ImageInput> input)
     : m_file(std::move(file)), m_input(std::move(input)) {}
 
 std::vector<std::string> ImageFile::notes() {
-  std::vector<std::string> notes;
-  if (const std::string& note = m_input->facts().note; !note.empty()) notes.push_back(note);
+  std::vector<std::string> notes = m_input->facts().notes;
   if (type() == StoredType::real && isMostlyAboveWhite(*m_input))
     notes.emplace_back("has mostly values above 1, which is white: divide them, such as by 255");
   return notes;

@@ -36,9 +36,11 @@ std::unique_ptr<ImageInput> openPng(const std::filesystem::path& file);
 /// InputError if it is damaged or the components differ in size or bits.
 std::unique_ptr<ImageInput> openPgx(const std::filesystem::path& file);
 
-/// Opens a file named .yuv, because raw YUV has no other mark; null for any other. RGB is rounded
-/// to the file's bits and scaled to the full range of the type. Throws InputError if no size is
-/// given or the file does not have the length that the parameters need.
+/// Opens a file named .yuv, because raw YUV has no other mark; null for any other. Several pictures
+/// one after the other are frames. If no size is given, the name gives it, as in
+/// NAME_1920x1080_yuv420p10le.yuv, and the kind of samples. RGB is rounded to the file's bits and
+/// scaled to the full range of the type. Throws InputError if there is no size or the length is not
+/// that of whole pictures.
 std::unique_ptr<ImageInput> openYuv(const std::filesystem::path& file, const YuvParams& params);
 
 /// Opens an image or a video of any format but PNG, PGX and raw YUV. The content, not the ending,

@@ -33,7 +33,7 @@ bool isTransposed(int orientation) {
 class PlacedInput : public ImageInput {
  public:
   PlacedInput(fs::path file, std::unique_ptr<ImageInput> input, Placement placement,
-              const std::string& note)
+              std::vector<std::string> notes)
       : m_file(std::move(file)), m_input(std::move(input)), m_placement(std::move(placement)) {
     m_facts = m_input->facts();
     m_facts.width = std::size_t(m_placement.picture.width);
@@ -44,7 +44,7 @@ class PlacedInput : public ImageInput {
     // Rows that are moved or turned may begin anywhere.
     if (m_placement.orientation != 1 || m_placement.stored != m_placement.picture)
       m_facts.bandRows = bandRowsOf(m_facts.width);
-    m_facts.note = note;
+    m_facts.notes = std::move(notes);
   }
 
   void read(std::size_t frame, std::size_t first, std::size_t rows, const Rows& to) override {
@@ -270,13 +270,6 @@ std::string placeLayer(const fs::path& file, ImageInput& input, const ChosenLaye
                  : layer.note;
 }
 
-std::string joined(const std::vector<std::string>& notes) {
-  std::string all;
-  for (const std::string& note : notes)
-    if (!note.empty()) all += (all.empty() ? "" : "; ") + note;
-  return all;
-}
-
 }  // namespace
 
 PictureFacts pictureFactsOf(const fs::path& file, const ImageFacts& facts) {
@@ -306,7 +299,9 @@ std::unique_ptr<ImageInput> asFileSays(const fs::path& file, std::unique_ptr<Ima
   Placement placement{.frames = {0}, .orientation = said.orientation};
   placement.stored = {0, 0, int(facts.width), int(facts.height)};
   placement.picture = placement.stored;
-  std::vector<std::string> notes{facts.note, pictureNote(said), pageNote(said.pages)};
+  std::vector<std::string> notes = facts.notes;
+  notes.push_back(pictureNote(said));
+  notes.push_back(pageNote(said.pages));
   if (!said.parts.empty()) {
     const ChosenLayer layer = chosenLayer(said.parts);
     if (!layer.refusal.empty()) return std::make_unique<UnclearInput>(file, facts, layer.refusal);
@@ -315,11 +310,12 @@ std::unique_ptr<ImageInput> asFileSays(const fs::path& file, std::unique_ptr<Ima
     placement.frames = views;
     placement.planes = said.pages.planes;
   }
-  const std::string note = joined(notes);
+  std::erase(notes, "");
   if (placement.frames == std::vector<std::size_t>{0} && placement.stored == placement.picture &&
-      placement.orientation == 1 && note == facts.note)
+      placement.orientation == 1 && notes == facts.notes)
     return input;
-  return std::make_unique<PlacedInput>(file, std::move(input), std::move(placement), note);
+  return std::make_unique<PlacedInput>(file, std::move(input), std::move(placement),
+                                       std::move(notes));
 }
 
 bool hasViewPages(const fs::path& file) {

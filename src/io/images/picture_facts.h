@@ -25,7 +25,7 @@ PictureFacts pictureFactsOf(const std::filesystem::path& file, const ImageFacts&
 /// Returns the input, or one that does what its file says: pictures are turned upright, are as
 /// large as their display window, with black around what is stored, and have the colours of a layer
 /// that is chosen; pages of a TIFF that are alike are frames. What is left out and guessed is in
-/// ImageFacts::note. Reading throws InputError if it is unclear which layer is the picture. Throws
+/// ImageFacts::notes. Reading throws InputError if it is unclear which layer is the picture. Throws
 /// InputError if the display window is larger than the file can mean.
 std::unique_ptr<ImageInput> asFileSays(const std::filesystem::path& file,
                                        std::unique_ptr<ImageInput> input);

@@ -16,6 +16,7 @@
 #include "io/files/isolated.h"
 #include "io/files/random_access_file.h"
 #include "io/images/exr_header.h"
+#include "io/images/video_format.h"
 
 namespace hogelscope {
 
@@ -89,8 +90,8 @@ class OwnInput : public ImageInput {
   std::unique_ptr<ImageInput> m_input;
 };
 
-/// A request to the copy: for rows, or, without any, for ImageNumbers and the format, the note and
-/// the names of the channels, each ended by a zero.
+/// A request to the copy: for rows, or, without any, for ImageNumbers and texts (textsOf()). The
+/// answer is empty while a video is not prepared for it.
 struct PictureRequest {
   std::size_t frame = 0;
   std::size_t first = 0;
@@ -100,10 +101,15 @@ struct PictureRequest {
   std::size_t channel = 0;
 };
 
-std::string namesOf(const ImageFacts& facts) {
-  std::string names = facts.format + '\0' + facts.note + '\0';
-  for (const std::string& name : facts.channelNames) names += name + '\0';
-  return names;
+/// Returns the format, the names of channels and the notes, each ended by a zero, and each list by
+/// a zero more.
+std::string textsOf(const ImageFacts& facts) {
+  std::string texts = facts.format + '\0';
+  for (const auto* const list : {&facts.channelNames, &facts.notes}) {
+    for (const std::string& text : *list) texts += text + '\0';
+    texts += '\0';
+  }
+  return texts;
 }
 
 std::string rowsOf(ImageInput& input, const PictureRequest& request) {
@@ -126,12 +132,13 @@ class IsolatedInput : public ImageInput {
  public:
   IsolatedInput(const fs::path& file, std::function<std::unique_ptr<ImageInput>()> open)
       : m_process(file, [open = std::move(open)] { return serve(open()); }) {
-    const std::string answer = m_process.ask(messageOf(PictureRequest{}));
+    const std::string answer = ask({});
     m_facts = {valueOf<ImageNumbers>(answer), {}};
-    std::istringstream names(answer.substr(sizeof(ImageNumbers)));
-    std::getline(names, m_facts.format, '\0');
-    std::getline(names, m_facts.note, '\0');
-    for (std::string name; std::getline(names, name, '\0');) m_facts.channelNames.push_back(name);
+    std::istringstream texts(answer.substr(sizeof(ImageNumbers)));
+    std::getline(texts, m_facts.format, '\0');
+    for (auto* const list : {&m_facts.channelNames, &m_facts.notes})
+      for (std::string text; std::getline(texts, text, '\0') && !text.empty();)
+        list->push_back(text);
   }
 
   void read(std::size_t frame, std::size_t first, std::size_t rows, const Rows& to) override {
@@ -151,9 +158,15 @@ class IsolatedInput : public ImageInput {
   }
 
  private:
+  std::string ask(const PictureRequest& request) {
+    std::string answer;
+    while (answer.empty()) answer = m_process.ask(messageOf(request));
+    return answer;
+  }
+
   template <class T>
   void receive(const PictureRequest& request, T* to, std::size_t count) {
-    const std::string bytes = m_process.ask(messageOf(request));
+    const std::string bytes = ask(request);
     if (bytes.size() != count * sizeof(T))
       throw std::logic_error("openPicture: an answer of another size");
     std::memcpy(to, bytes.data(), count * sizeof(T));
@@ -162,8 +175,9 @@ class IsolatedInput : public ImageInput {
   static Isolated::Service serve(const std::shared_ptr<ImageInput>& input) {
     return [input](const std::string& bytes) {
       const auto request = valueOf<PictureRequest>(bytes);
+      if (!input->prepare(request.frame)) return std::string();
       if (request.rows > 0) return rowsOf(*input, request);
-      return messageOf<ImageNumbers>(input->facts()) + namesOf(input->facts());
+      return messageOf<ImageNumbers>(input->facts()) + textsOf(input->facts());
     };
   }
 
@@ -176,7 +190,9 @@ std::unique_ptr<ImageInput> openPicture(const fs::path& file) {
   const std::string_view format = trustedFormatOf(file);
   if (format.empty()) {
     (void)codecs();  // loaded once, here, and not by each copy
-    return isolatedInput(file, [file] { return codecs().open(file, {}); });
+    return isolatedInput(file, [file, video = videoFormatOf(file)] {
+      return video.empty() ? codecs().open(file, {}) : codecs().openVideo(file, video);
+    });
   }
   if (format == "openexr") checkExrHeader(file);
   return std::make_unique<OwnInput>(file, std::string(format));
@@ -188,21 +204,17 @@ std::unique_ptr<ImageInput> isolatedInput(const fs::path& file,
 }
 
 std::string lossyFormatOf(const fs::path& file) {
+  if (const std::string video = videoFormatOf(file); !video.empty())
+    return video == "yuv4mpegpipe" ? "" : "video";  // whose frames are not encoded
   std::string begin;
   try {
     begin = beginOf(file);
   } catch (const InputError&) {
     return {};
   }
-  const auto has = [&begin](std::size_t at, std::string_view text) {
-    return begin.size() >= at && std::string_view(begin).substr(at).starts_with(text);
-  };
-  if (has(0, "\xff\xd8\xff")) return "JPEG";
-  if (has(0, "RIFF") && has(8, "AVI ")) return "video";
-  if (!has(4, "ftyp")) return {};
-  for (const char* brand : {"hei", "hev", "avif", "mif1", "msf1"})
-    if (has(8, brand)) return "HEIF";
-  return "video";
+  if (begin.starts_with("\xff\xd8\xff")) return "JPEG";
+  const bool isHeif = begin.find("ftyp") == 4 && begin.find("crx ") != 8;
+  return isHeif ? "HEIF" : "";
 }
 
 }  // namespace hogelscope

@@ -65,8 +65,8 @@ extern const LayoutType lensletsLayout;
 /// searched. Throws InputError (no folder, no match, half of the views or more missing).
 ViewFiles findViews(const LightFieldParams& params, std::array<int, 2> directions);
 
-/// Whether a file has views as its frames: a video by its name, HDF5 by its first bytes, or a TIFF
-/// of several pages that are alike.
+/// Whether a file of layout "views" has views as its frames: a video by its first bytes or its
+/// name, raw YUV by its name, HDF5 by its first bytes, or a TIFF of several pages that are alike.
 bool isViewSequence(const std::string& file);
 
 /// The columns and rows in a quilt's name (…_qs8x6a0.75.png), and the display's width / height; 0

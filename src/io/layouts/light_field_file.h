@@ -35,7 +35,9 @@ class LightFieldFile {
   [[nodiscard]] virtual StoredType type() const = 0;
   /// Returns the bits of a value of the content, 8 … 16; by default all of its type, 16 for floats.
   [[nodiscard]] virtual int bits() const { return type() == StoredType::uint8 ? 8 : 16; }
-  /// Returns warnings about what is missing, such as views.
+  /// Returns the format of its pictures in words, such as "png"; "" where there are none.
+  [[nodiscard]] virtual std::string format() const { return {}; }
+  /// Returns warnings about what is missing, such as views, or not read.
   [[nodiscard]] virtual std::vector<std::string> warnings() const { return {}; }
   /// Returns a warning if a state's eye sees the scene cut by the panel's edges; otherwise "".
   [[nodiscard]] virtual std::string cutWarning(const CameraState& /*state*/) const { return {}; }

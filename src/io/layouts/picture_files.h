@@ -24,12 +24,14 @@ class PictureFiles : public LightFieldFile {
   [[nodiscard]] std::vector<std::filesystem::path> files() const override {
     return {m_params.file};
   }
+  [[nodiscard]] std::string format() const override { return m_format; }
 
  protected:
-  /// Gives texels the type and bits of an image.
+  /// Gives texels the type, bits and format of an image.
   void takeTypeOf(const ImageFile& image) {
     m_type = image.type();
     m_bits = image.bits();
+    m_format = image.format();
   }
   /// Adds warnings from sentences whose subject is missing.
   void warnOf(const std::string& subject, const std::vector<std::string>& notes) {
@@ -46,6 +48,7 @@ class PictureFiles : public LightFieldFile {
  private:
   StoredType m_type{};
   int m_bits = 8;
+  std::string m_format;
 };
 
 /// Images each of which has a part of every row of hogels: if memory is too small for all, they are

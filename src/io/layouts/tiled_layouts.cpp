@@ -40,14 +40,11 @@ class TiledImage : public ScatteredFile {
     m_size = {width / across, height / down, isQuilt ? across * down : across, isQuilt ? 1 : down};
     m_top = height % down;
     if (!isDivided)
-      m_left = "views are " + pairText(m_size.nx, m_size.ny) +
-               " px from the bottom left: " + pairText(width, height) + " px are no multiple of " +
-               pairText(across, down) + " views, " + std::to_string(width % across) +
-               " px at the right and " + std::to_string(m_top) + " px at the top are left out";
-  }
-
-  [[nodiscard]] std::vector<std::string> warnings() const override {
-    return m_left.empty() ? std::vector<std::string>() : std::vector{m_left};
+      m_warnings.push_back("views are " + pairText(m_size.nx, m_size.ny) +
+                           " px from the bottom left: " + pairText(width, height) +
+                           " px are no multiple of " + pairText(across, down) + " views, " +
+                           std::to_string(width % across) + " px at the right and " +
+                           std::to_string(m_top) + " px at the top are left out");
   }
 
  private:
@@ -73,8 +70,7 @@ class TiledImage : public ScatteredFile {
   int m_columns;
   int m_rows;
   bool m_isQuilt;
-  int m_top = 0;       ///< rows of pixels above the tiles
-  std::string m_left;  ///< says what the tiles leave over
+  int m_top = 0;  ///< rows of pixels above the tiles
 };
 
 std::unique_ptr<LightFieldFile> openQuilt(const LightFieldParams& params, const DisplayParams&,

@@ -9,6 +9,7 @@
 #include "io/files/folders.h"
 #include "io/images/image_inputs.h"
 #include "io/images/picture_facts.h"
+#include "io/images/video_format.h"
 #include "io/layouts/layouts.h"
 #include "io/layouts/picture_files.h"
 
@@ -56,11 +57,13 @@ class ViewsFolder : public ScatteredFile {
   ViewFiles m_views;
 };
 
+/// Whether the content or the name is a video's: a damaged one is still a video.
 bool isVideo(const fs::path& file) {
-  constexpr std::array<std::string_view, 6> extensions{".avi", ".mov", ".mp4",
-                                                       ".m4v", ".qt",  ".mj2"};
+  constexpr std::array<std::string_view, 10> extensions{".avi", ".mov",  ".mp4", ".m4v", ".qt",
+                                                        ".mj2", ".webm", ".mkv", ".y4m", ".yuv"};
   const std::string extension = lowerCase(file.extension().string());
-  return std::ranges::find(extensions, extension) != extensions.end();
+  return std::ranges::find(extensions, extension) != extensions.end() ||
+         !videoFormatOf(file).empty();
 }
 
 /// The frames of a file, read in their order, because each frame of a video needs those before it.
@@ -71,6 +74,10 @@ class ViewSequence : public ScatteredFile {
     takeTypeOf(m_image);
     m_size = {int(m_image.width()), int(m_image.height()), int(grid.columns), int(grid.rows)};
     warnOf("the file", m_image.notes());
+    if (const auto [across, down] = quiltNameOf(m_params.file).tiles; across > 0)
+      m_warnings.push_back("the name says that each frame is a quilt of " + pairText(across, down) +
+                           " views, but each is read as one view; lightField.layout=quilt reads "
+                           "the first one as a quilt");
   }
 
  private:
@@ -96,7 +103,7 @@ std::unique_ptr<LightFieldFile> openViews(const LightFieldParams& params,
   if (!isViewSequence(params.file)) return std::make_unique<ViewsFolder>(params, display);
   const bool isArray = isHdf5(params.file);
   ImageFile views = isArray ? ImageFile(params.file, openHdf5(params.file, params.pattern))
-                            : ImageFile(params.file);
+                            : ImageFile(params.file, params.yuv);
   const SequenceGrid grid =
       views.columns() > 0
           ? SequenceGrid{views.frames() / views.columns(), views.columns()}

@@ -173,11 +173,14 @@ std::optional<GreyViews> greyViewsOf(const LightFieldParams& params, const Displ
   const bool isSmall = fitsInMemory(*file, allowedMemory());
   if (typeOf(params.layout).isOfTiles) {
     GreyViews views = viewsOfTiles(params, size, progress);
+    views.warnings = file->warnings();
     if (isSmall) addColours(views, std::move(file));
     return views;
   }
   if (!isSmall) return std::nullopt;
-  return viewsInMemory(*file, progress);
+  GreyViews views = viewsInMemory(*file, progress);
+  views.warnings = file->warnings();
+  return views;
 }
 
 }  // namespace hogelscope

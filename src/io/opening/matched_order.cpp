@@ -170,7 +170,7 @@ std::vector<Placed> readPlaces(const PlacesInOrders& places, SmallViews& test,
 SmallViews::SmallViews(const LightFieldParams& params, const DisplayParams& display)
     : m_params(params) {
   if (isViewSequence(params.file)) {
-    const std::size_t frames = ImageFile(params.file).frames();
+    const std::size_t frames = ImageFile(params.file, params.yuv).frames();
     for (const ViewScan scan : scans) {
       const SequenceGrid grid = gridOfSequence(
           frames, {params.file, {}, display.directions, scan == ViewScan::serpentine});
@@ -212,7 +212,7 @@ std::optional<std::size_t> SmallViews::pictureOf(const LightFieldParams& params,
 
 void SmallViews::read(const std::set<std::size_t>& pictures, const Progress& progress) {
   std::optional<ImageFile> video;
-  if (m_files.empty()) video.emplace(m_params.file);
+  if (m_files.empty()) video.emplace(m_params.file, m_params.yuv);
   double done = 0;
   for (const std::size_t picture : pictures) {
     const auto count = double(pictures.size());

@@ -74,6 +74,20 @@ const LayoutType packLayout{.open = openStore, .holder = Holder::store};
 const LayoutType liveLayout{.open = openLive, .holder = Holder::scene};
 const LayoutType wovenLayout{.open = openWoven};
 
+/// Whether a file is raw YUV.
+bool isYuv(const std::string& file) {
+  return file.ends_with(".yuv");
+}
+
+/// Whether a file is raw YUV whose name does not say that it has several pictures.
+bool isYuvPicture(const std::string& file) {
+  try {
+    return isYuv(file) && ImageFile(file).frames() == 1;
+  } catch (const InputError&) {
+    return true;  // a session has to give its size
+  }
+}
+
 }  // namespace
 
 const LayoutType& typeOf(Layout layout) {
@@ -84,6 +98,7 @@ const LayoutType& typeOf(Layout layout) {
 }
 
 Holder holderOf(const std::string& file) {
+  if (isYuvPicture(file)) return Holder::picture;
   if (isFolder(file)) return Holder::views;
   if (LightFieldStore::isStore(file)) return Holder::store;  // whose pages are alike
   if (isViewSequence(file)) return Holder::views;
@@ -105,7 +120,9 @@ LightFieldParams lightFieldOf(const std::string& file) {
 }
 
 LightFieldParams withFile(const LightFieldParams& params, const std::string& file) {
-  const bool isAnotherKind = params.isLive() || holderOf(file) != typeOf(params.layout).holder;
+  const Holder holder = typeOf(params.layout).holder;
+  const bool isPossible = holderOf(file) == holder || (isYuv(file) && holder == Holder::views);
+  const bool isAnotherKind = params.isLive() || !isPossible;
   LightFieldParams result = isAnotherKind ? lightFieldOf(file) : params;
   if (!isAnotherKind) result.file = file;
   result.viewingDistance = params.viewingDistance;
