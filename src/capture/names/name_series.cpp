@@ -2,6 +2,8 @@
 #include "capture/names/name_series.h"
 
 #include <algorithm>
+#include <array>
+#include <cstdlib>
 #include <set>
 #include <string_view>
 
@@ -35,12 +37,17 @@ class PartReader {
   NameParts read() {
     NameParts parts{""};
     for (std::size_t at = 0; at < m_name.size();) {
-      const std::size_t end = endOfNumber(at);
+      std::string number;
+      std::size_t end = endOfTime(at, number);
+      if (end == at) {
+        end = endOfNumber(at);
+        number = m_name.substr(at, end - at);
+      }
       if (end == at) {
         parts.back() += m_name[at++];
         continue;
       }
-      parts.push_back(m_name.substr(at, end - at));
+      parts.push_back(number);
       parts.emplace_back();
       at = end;
     }
@@ -71,10 +78,37 @@ class PartReader {
     const std::size_t digits = begin + (isSignAt(begin) ? 1 : 0);
     std::size_t end = endOfDigits(digits);
     if (end == digits) return begin;
-    if (end != m_stem && at(end) == '.' && isDigit(at(end + 1))) end = endOfDigits(end + 1);
+    const bool isAfterPoint =
+        begin > 0 && at(begin - 1) == '.';  // "render.3.4.exr" has two numbers
+    if (end != m_stem && !isAfterPoint && at(end) == '.' && isDigit(at(end + 1)))
+      end = endOfDigits(end + 1);
     if ((at(end) == 'e' || at(end) == 'E') && isSign(at(end + 1)) && isDigit(at(end + 2)))
       end = endOfDigits(end + 2);
     return end;
+  }
+
+  /// Returns the end of a date with a time, such as 20240102_101530123 or 2024-01-02 10.15.30, and
+  /// its digits; `begin` if there is none.
+  [[nodiscard]] std::size_t endOfTime(std::size_t begin, std::string& digits) const {
+    constexpr std::array<std::size_t, 6> lengths{4, 2, 2, 2, 2, 2};  // year … second
+    constexpr std::array least{1990, 1, 1, 0, 0, 0}, most{2099, 12, 31, 23, 59, 60};
+    if (begin > 0 && isDigit(at(begin - 1))) return begin;
+    std::string found;
+    std::size_t end = begin;
+    for (std::size_t k = 0; k < lengths.size(); ++k) {
+      if (k > 0 && std::string_view("-_. :T").find(at(end)) != std::string_view::npos) ++end;
+      if (endOfDigits(end) < end + lengths[k]) return begin;
+      const std::string part = m_name.substr(end, lengths[k]);
+      if (const int value = std::atoi(part.c_str()); value < least[k] || value > most[k])
+        return begin;
+      found += part;
+      end += lengths[k];
+    }
+    constexpr std::size_t ofMilliseconds = 3;
+    const std::size_t more = endOfDigits(end) - end;
+    if (more != 0 && more != ofMilliseconds) return begin;
+    digits = found + m_name.substr(end, more);
+    return end + more;
   }
 
   const std::string& m_name;
@@ -82,8 +116,10 @@ class PartReader {
 };
 
 bool isInteger(const std::string& text) {
-  constexpr std::size_t mostDigits = 18;  // of an int64_t
-  return text.size() <= mostDigits && std::all_of(text.begin(), text.end(), isDigit);
+  constexpr std::size_t mostDigits =
+      18;  // of an int64_t, or 19, as those of nanoseconds since 1970
+  return text.size() <= mostDigits + (text.starts_with('1') ? 1 : 0) &&
+         std::all_of(text.begin(), text.end(), isDigit);
 }
 
 /// The numbers at one place of a series' names.
@@ -256,12 +292,69 @@ bool isPlain(const std::string& text, char before, char after) {
   return true;
 }
 
+/// Returns the letter that stands alone before the first number of a series' names, such as the A
+/// of "view_A1.png"; 0 if there is none.
+char letterOf(const NameSeries& series) {
+  const NameParts& parts = series.parts.front();
+  if (parts.size() < 3 || parts.front().empty()) return 0;
+  const std::string& text = parts.front();
+  const bool isAlone =
+      isLetter(text.back()) && (text.size() < 2 || !isLetter(text[text.size() - 2]));
+  return isAlone ? text.back() : char(0);
+}
+
+/// Whether series have the letters from A on, without a gap, and as many files each; "c1" and "d1"
+/// are rather colours and depths.
+bool areLines(const std::vector<NameSeries*>& group) {
+  for (std::size_t k = 0; k < group.size(); ++k)
+    if ((letterOf(*group[k]) | 0x20) != int('a' + k) ||
+        group[k]->files.size() != group.front()->files.size())
+      return false;
+  return group.size() > 1;
+}
+
+/// Joins series that differ in the letter before their first numbers alone.
+std::vector<NameSeries> withLetters(std::vector<NameSeries> all) {
+  std::map<std::string, std::vector<NameSeries*>> alike;
+  for (NameSeries& series : all) {
+    const char letter = letterOf(series);
+    if (letter == 0 || series.files.size() < 2) continue;
+    std::string texts(1, letter < 'a' ? 'A' : 'a');
+    const NameParts& parts = series.parts.front();
+    texts += parts.front().substr(0, parts.front().size() - 1);
+    for (std::size_t k = 2; k < parts.size(); k += 2) texts += '/' + parts[k];
+    alike[texts].push_back(&series);
+  }
+  for (const auto& [texts, group] : alike) {
+    if (!areLines(group)) continue;
+    NameSeries joined;
+    for (NameSeries* const one : group) {
+      const int place = (letterOf(*one) | 0x20) - 'a' + 1;
+      for (NameParts& parts : one->parts) {
+        parts.front().pop_back();
+        parts.insert(parts.begin() + 1, {std::to_string(place), ""});
+        joined.parts.push_back(std::move(parts));
+      }
+      joined.files.insert(joined.files.end(), one->files.begin(), one->files.end());
+      one->files.clear();
+    }
+    all.push_back(std::move(joined));
+  }
+  std::erase_if(all, [](const NameSeries& series) { return series.files.empty(); });
+  return all;
+}
+
 }  // namespace
 
-std::vector<NameSeries> seriesOf(const std::vector<fs::path>& files) {
+std::string nameBelow(const fs::path& folder, const fs::path& file) {
+  if (file.parent_path() == folder) return file.filename().string();
+  return file.lexically_relative(folder).generic_string();
+}
+
+std::vector<NameSeries> seriesOf(const fs::path& folder, const std::vector<fs::path>& files) {
   std::map<std::string, NameSeries> series;
   for (const fs::path& file : files) {
-    NameParts parts = PartReader(file.filename().string()).read();
+    NameParts parts = PartReader(nameBelow(folder, file)).read();
     std::string texts;
     for (std::size_t k = 0; k < parts.size(); k += 2) texts += parts[k] + '/';
     NameSeries& own = series[texts];
@@ -271,7 +364,7 @@ std::vector<NameSeries> seriesOf(const std::vector<fs::path>& files) {
   std::vector<NameSeries> result;
   result.reserve(series.size());
   for (auto& [texts, own] : series) result.push_back(std::move(own));
-  return result;
+  return withLetters(std::move(result));
 }
 
 std::vector<std::vector<SeriesReading>> readingsOf(const NameSeries& series) {
@@ -288,7 +381,8 @@ std::vector<NamedView> viewsOf(const NameSeries& series, const SeriesReading& re
   return views;
 }
 
-std::string patternOf(const NameSeries& series, const SeriesReading& reading) {
+std::string patternOf(const fs::path& folder, const NameSeries& series,
+                      const SeriesReading& reading) {
   const NameParts& first = series.parts.front();
   std::map<std::size_t, char> letters;
   for (const auto& [letter, part] : reading) letters[part] = letter;
@@ -321,8 +415,7 @@ std::string patternOf(const NameSeries& series, const SeriesReading& reading) {
     constexpr std::size_t mostTried = 200;
     const std::size_t step = series.files.size() / mostTried + 1;
     for (std::size_t k = 0; k < series.files.size(); k += step)
-      if (!isRead(pattern, series.files[k].filename().string(), series.parts[k], reading))
-        return {};
+      if (!isRead(pattern, nameBelow(folder, series.files[k]), series.parts[k], reading)) return {};
   } catch (const InputError&) {
     return {};
   }

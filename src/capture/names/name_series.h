@@ -21,8 +21,14 @@ struct NameSeries {
   std::vector<NameParts> parts;  ///< for each file; their texts are equal
 };
 
-/// Returns the series, sorted by their texts; a single file is a series too.
-std::vector<NameSeries> seriesOf(const std::vector<std::filesystem::path>& files);
+/// Returns the name of a file below a folder, such as "03/05.png".
+std::string nameBelow(const std::filesystem::path& folder, const std::filesystem::path& file);
+
+/// Returns the series of the files below a folder, sorted by their texts; a single file is a series
+/// too. A date with a time is one number, 20240102101530. Where names differ in one letter before a
+/// number, as in A1, A2, B1, B2, the letter is a number too: its place in the alphabet.
+std::vector<NameSeries> seriesOf(const std::filesystem::path& folder,
+                                 const std::vector<std::filesystem::path>& files);
 
 /// The parts of a name that are a view's row and column (R, C), its running number (N) or its
 /// coordinates (x, y).
@@ -35,7 +41,8 @@ std::vector<std::vector<SeriesReading>> readingsOf(const NameSeries& series);
 
 std::vector<NamedView> viewsOf(const NameSeries& series, const SeriesReading& reading);
 
-/// Returns a pattern with this reading of the names; "" if there is none.
-std::string patternOf(const NameSeries& series, const SeriesReading& reading);
+/// Returns a pattern with this reading of the names of files below a folder; "" if there is none.
+std::string patternOf(const std::filesystem::path& folder, const NameSeries& series,
+                      const SeriesReading& reading);
 
 }  // namespace hogelscope

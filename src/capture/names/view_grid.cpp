@@ -7,6 +7,7 @@
 #include <functional>
 #include <numeric>
 
+#include "capture/names/number_gaps.h"
 #include "core/base/error.h"
 #include "core/base/text.h"
 
@@ -154,6 +155,15 @@ void addPositions(ViewFiles& grid, const Cells& cells) {
                            meanOf(cells, &NamedView::y, cells.size() - columns, 1, grid.columns));
 }
 
+/// Returns a warning if the directions that are given are not those of the names; otherwise "".
+std::string ignoredText(const GridSource& source, const ViewFiles& grid) {
+  const auto [columns, rows] = source.directions;
+  if (columns < 1 || (columns == grid.columns && rows == grid.rows)) return {};
+  return "display.directions: " + pairText(columns, rows) +
+         " is ignored, because the file names say " + pairText(grid.columns, grid.rows) +
+         " views; lightField.pattern reads the names in another way";
+}
+
 ViewFiles gridOfNumbers(const std::vector<NamedView>& views, const GridSource& source) {
   std::vector<std::int64_t> rowNumbers;
   std::vector<std::int64_t> columnNumbers;
@@ -184,6 +194,7 @@ ViewFiles gridOfNumbers(const std::vector<NamedView>& views, const GridSource& s
            std::to_string(columns.values()[k % width]);
   });
   addPositions(grid, cells);
+  grid.ignored = ignoredText(source, grid);
   return grid;
 }
 
@@ -194,12 +205,15 @@ struct Running {
   std::size_t columns = 1;
 };
 
-/// Whether `count` numbers form the given grid; a part of the last row may be missing at the end,
-/// or of the first row at the beginning.
+/// Whether `count` numbers form the given grid; a part of the last line may be missing at the end,
+/// or of the first line at the beginning.
 bool isCount(std::size_t count, const GridSource& source) {
   const auto columns = std::size_t(std::max(source.directions[0], 0));
-  const std::size_t cells = columns * std::size_t(std::max(source.directions[1], 0));
-  return columns == 0 || (count <= cells && count + columns > cells);
+  const auto rows = std::size_t(std::max(source.directions[1], 0));
+  const bool isByColumns =
+      source.scan == ViewScan::columns || source.scan == ViewScan::columnsSerpentine;
+  return columns == 0 ||
+         (count <= columns * rows && count + (isByColumns ? rows : columns) > columns * rows);
 }
 
 /// Returns the grid of `count` numbers from `first` on, including missing ones.
@@ -269,11 +283,47 @@ std::int64_t integerOf(const std::string& text) {
   return value;
 }
 
-ViewFiles gridOfRunning(const std::vector<NamedView>& views, const GridSource& source) {
-  std::vector<std::int64_t> found;
-  found.reserve(views.size());
-  for (const NamedView& view : views) found.push_back(view.number.value_or(0));
-  const NumberAxis numbers(std::move(found));
+/// The views of a grid that are counted line by line, some of which may be missing.
+struct Counted {
+  SequenceGrid grid;
+  std::function<std::int64_t(std::int64_t)> viewOf;    ///< the view that a number counts
+  std::function<std::int64_t(std::int64_t)> numberOf;  ///< the number of a view
+};
+
+/// Returns the numbers without their gaps, in the given order.
+Counted inOrder(std::vector<std::int64_t> order, const GridSource& source) {
+  Counted counted{gridOfSequence(order.size(), source), {}, {}};
+  std::map<std::int64_t, std::int64_t> places;
+  for (const std::int64_t number : order) places.emplace(number, std::int64_t(places.size()));
+  counted.viewOf = [places = std::move(places)](std::int64_t number) { return places.at(number); };
+  counted.numberOf = [order = std::move(order)](std::int64_t view) {
+    return order[std::size_t(view)];
+  };
+  return counted;
+}
+
+/// Returns the views of a part of a larger grid; none if other directions are given.
+std::optional<Counted> asSubGrid(const SubGrid& grid, std::int64_t first,
+                                 const GridSource& source) {
+  const bool isByColumns =
+      source.scan == ViewScan::columns || source.scan == ViewScan::columnsSerpentine;
+  const std::int64_t columns = isByColumns ? grid.lines : grid.count;
+  const std::int64_t rows = isByColumns ? grid.count : grid.lines;
+  const bool isGiven = source.directions[0] > 0;
+  if (isGiven && (source.directions[0] != columns || source.directions[1] != rows))
+    return std::nullopt;
+  const auto [step, pitch, lines, count] = grid;
+  return Counted{
+      {std::size_t(rows), std::size_t(columns), source.scan},
+      [=](std::int64_t number) {
+        return (number - first) / pitch * count + (number - first) % pitch / step;
+      },
+      [=](std::int64_t view) { return first + view / count * pitch + view % count * step; }};
+}
+
+/// Returns the views whose numbers are regular, with missing ones. Throws InputError.
+Counted withHoles(const std::vector<NamedView>& views, const NumberAxis& numbers,
+                  const GridSource& source) {
   const std::optional<Running> sparse = sparseRunning(views, numbers, source);
   if (!sparse && !isFull(views, numbers.size())) {
     const double side = std::ceil(std::sqrt(double(numbers.size())));
@@ -284,15 +334,51 @@ ViewFiles gridOfRunning(const std::vector<NamedView>& views, const GridSource& s
       sparse ? *sparse
              : runningOf(numbers.values().front() / step, std::size_t(numbers.size()), source);
   const std::int64_t first = (sparse ? 0 : numbers.values().front() % step) + begin * step;
-  const SequenceGrid order{rows, columns, source.isSerpentine};
+  return {{rows, columns, source.scan},
+          [=](std::int64_t number) { return (number - first) / step; },
+          [=](std::int64_t view) { return first + view * step; }};
+}
+
+/// Whether views without gaps between them make the grid that is given.
+bool isGivenCount(std::size_t count, const GridSource& source) {
+  const auto [columns, rows] = source.directions;
+  return columns > 0 && rows > 0 && std::size_t(columns) * std::size_t(rows) == count;
+}
+
+/// Returns the views of running numbers. Throws InputError.
+Counted countedOf(const std::vector<NamedView>& views, const NumberAxis& numbers,
+                  const GridSource& source) {
+  const std::vector<std::int64_t>& ascending = numbers.values();
+  const bool isEachAlone = ascending.size() == views.size();
+  if (isEachAlone && double(views.size()) < numbers.size()) {
+    if (areTimes(ascending)) return inOrder(ascending, source);
+    if (auto order = begunAgain(ascending)) return inOrder(std::move(*order), source);
+    if (const auto grid = repeatedGaps(ascending))
+      if (const auto counted = asSubGrid(*grid, ascending.front(), source)) return *counted;
+    if (isGivenCount(views.size(), source)) return inOrder(ascending, source);
+  }
+  return withHoles(views, numbers, source);
+}
+
+ViewFiles gridOfRunning(const std::vector<NamedView>& views, const GridSource& source) {
+  std::vector<std::int64_t> found;
+  found.reserve(views.size());
+  for (const NamedView& view : views) found.push_back(view.number.value_or(0));
+  const NumberAxis numbers(std::move(found));
+  const Counted counted = countedOf(views, numbers, source);
+  const auto& [rows, columns, scan] = counted.grid;
   const auto placeOf = [&](const NamedView& view) {
-    return order.cellOf(std::size_t((view.number.value_or(0) - first) / step));
+    return counted.grid.cellOf(std::size_t(counted.viewOf(view.number.value_or(0))));
   };
   const Cells cells = placed(views, rows * columns, placeOf, source);
   ViewFiles grid = filesOf(cells, rows, columns);
+  grid.isCounted = true;
   grid.missing = missingText(cells, "number", [&](std::size_t k) {
-    return std::to_string(first + std::int64_t(order.cellOf(k)) * step);
+    return std::to_string(counted.numberOf(std::int64_t(counted.grid.viewOf(k))));
   });
+  constexpr double mostMissing = 0.25;
+  grid.isLoose =
+      source.directions[0] < 1 && double(views.size()) < (1 - mostMissing) * double(cells.size());
   if (rows == 1) grid.surplus = surplusText(views, source);
   return grid;
 }
@@ -412,9 +498,26 @@ NamedView viewNamed(const fs::path& file, const std::map<char, std::string>& num
   return view;
 }
 
+std::size_t SequenceGrid::placeIn(std::size_t line, std::size_t at) const {
+  const bool isToAndFro = scan == ViewScan::serpentine || scan == ViewScan::columnsSerpentine;
+  return isToAndFro && line % 2 == 1 ? (isByColumns() ? rows : columns) - 1 - at : at;
+}
+
+std::size_t SequenceGrid::cellOf(std::size_t k) const {
+  const std::size_t length = isByColumns() ? rows : columns;
+  const std::size_t line = k / length, at = placeIn(line, k % length);
+  return isByColumns() ? at * columns + line : line * columns + at;
+}
+
+std::size_t SequenceGrid::viewOf(std::size_t cell) const {
+  const std::size_t row = cell / columns, column = cell % columns;
+  return isByColumns() ? column * rows + placeIn(column, row)
+                       : row * columns + placeIn(row, column);
+}
+
 SequenceGrid gridOfSequence(std::size_t count, const GridSource& source) {
   const Running running = runningOf(0, count, source);
-  return {running.rows, running.columns, source.isSerpentine};
+  return {running.rows, running.columns, source.scan};
 }
 
 std::vector<fs::path> ViewFiles::found() const {

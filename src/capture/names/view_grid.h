@@ -14,6 +14,8 @@
 #include <string>
 #include <vector>
 
+#include "core/light_field/light_field.h"
+
 namespace hogelscope {
 
 /// A file and the numbers in its name: row and column, one running number, or only coordinates.
@@ -43,7 +45,15 @@ struct ViewFiles {
   std::string missing;  ///< a warning that names the missing views; "" if there are none
   /// A warning if one view fewer would make a square; otherwise "".
   std::string surplus;
+  /// A warning if the session gives another grid than the names; otherwise "".
+  std::string ignored;
+  bool isCounted = false;  ///< one running number, whose order LightFieldParams::scan gives
+  /// So many running numbers are missing that their grid is hardly more than a guess.
+  bool isLoose = false;
   std::vector<std::string> others;  ///< names of the folder's files that are not views
+  /// Those of them whose names are those of views, but not their sizes, such as "208 pictures of
+  /// 48×48 px"; "" if there are none.
+  std::string otherSizes;
 
   /// Returns the files of the views that are not missing, at least one.
   [[nodiscard]] std::vector<std::filesystem::path> found() const;
@@ -55,21 +65,27 @@ struct GridSource {
   std::filesystem::path folder;
   std::string pattern;
   std::array<int, 2> directions{0, 0};
-  bool isSerpentine = false;    ///< a running number counts every second row from its end
-  bool isPatternGiven = false;  ///< the session gives the pattern
+  ViewScan scan = ViewScan::raster;  ///< how a running number counts
+  bool isPatternGiven = false;       ///< the session gives the pattern
 };
 
-/// The rows and columns of a grid whose views are counted row by row.
+/// The rows and columns of a grid whose views are counted line by line: by rows or by columns.
 struct SequenceGrid {
   std::size_t rows = 1;
   std::size_t columns = 1;
-  bool isSerpentine = false;
+  ViewScan scan = ViewScan::raster;
 
-  /// Returns the cell of view k, row · columns + column; also the view of cell k.
-  [[nodiscard]] std::size_t cellOf(std::size_t k) const {
-    const bool isReversed = isSerpentine && k / columns % 2 == 1;
-    return isReversed ? k - k % columns + columns - 1 - k % columns : k;
+  /// Returns the cell of view k, row · columns + column.
+  [[nodiscard]] std::size_t cellOf(std::size_t k) const;
+  /// Returns the view of a cell.
+  [[nodiscard]] std::size_t viewOf(std::size_t cell) const;
+
+ private:
+  [[nodiscard]] bool isByColumns() const {
+    return scan == ViewScan::columns || scan == ViewScan::columnsSerpentine;
   }
+  /// Returns the place `at` in a line, or from its end where lines run to and fro.
+  [[nodiscard]] std::size_t placeIn(std::size_t line, std::size_t at) const;
 };
 
 /// Returns the grid of `count` views: a square, or else one row, unless the directions are given.
@@ -78,9 +94,11 @@ SequenceGrid gridOfSequence(std::size_t count, const GridSource& source);
 
 /// Returns the grid of views; there is at least one, and all names have the same kinds of numbers.
 /// Numbers in equal steps form rows and columns; so do coordinates that lie close together. One
-/// running number counts row by row: a square, or else one row, unless the directions are given.
-/// Throws InputError if two files are the same view, or if half of the views or more are missing
-/// and the given directions do not confirm that.
+/// running number counts the views of a square, or else of one row, unless the directions are given
+/// or its gaps repeat, as in a part of a larger grid (0, 4, 8, 36, 40, 44, …). Dates with times and
+/// a camera's counter that has begun again are an order alone, without gaps. Throws InputError if
+/// two files are the same view, or if half of the views or more are missing and the given
+/// directions do not confirm that.
 ViewFiles gridOf(const std::vector<NamedView>& views, const GridSource& source);
 
 }  // namespace hogelscope

@@ -124,6 +124,13 @@ double spreadOf(const DenseMotion& motion, int axis) {
 
 }  // namespace
 
+bool Occlusions::isLeaning() const {
+  constexpr int fewest = 6;
+  constexpr double part = 0.75;
+  const int most = std::max(ordered, reversed);
+  return most >= fewest && most >= part * count();
+}
+
 Occlusions Occlusions::backwards() const {
   return {reversed, ordered, reversedAreas, orderedAreas};
 }

@@ -289,16 +289,15 @@ std::vector<Centre> centresOf(const GreyGrid& grid) {
 }
 
 Sureness surenessOf(const Occlusions& votes, int forSure, double partForSure) {
-  constexpr int forLikely = 6;
-  constexpr double partForLikely = 0.75;
+  constexpr double forLikely = 3;  // standard deviations of as many votes by chance
   constexpr std::size_t areasForSure = 5;
   const int most = std::max(votes.ordered, votes.reversed);
   const auto areas =
       (votes.ordered > votes.reversed ? votes.orderedAreas : votes.reversedAreas).count();
   if (most >= forSure && most >= partForSure * votes.count() && areas >= areasForSure)
     return Sureness::sure;
-  if (most >= forLikely && most >= partForLikely * votes.count()) return Sureness::likely;
-  return Sureness::unknown;
+  const bool isChance = 2 * most - votes.count() < forLikely * std::sqrt(double(votes.count()));
+  return votes.isLeaning() && !isChance ? Sureness::likely : Sureness::unknown;
 }
 
 /// Whether one direction's own votes do not contradict the decision for both.
@@ -313,7 +312,7 @@ void decideAlone(ViewOrder& order, const Occlusions& votes, bool& isReversed) {
   constexpr int forSure = 30;
   constexpr double partForSure = 0.9;
   order.sureness = std::min(order.sureness, surenessOf(votes, forSure, partForSure));
-  isReversed = order.sureness != Sureness::unknown && votes.reversed > votes.ordered;
+  isReversed = votes.isLeaning() && votes.reversed > votes.ordered;
 }
 
 /// Decides both directions: depths move along columns as along rows, which leaves two orders, each
@@ -331,7 +330,7 @@ void decideTogether(ViewOrder& order, bool& isUp, bool& isLeft) {
   const bool isCertain = std::abs(order.correlation) >= correlationForSure &&
                          agrees(order.alongColumns, isLeft) && agrees(order.alongRows, isUp);
   if (order.sureness == Sureness::sure && !isCertain) order.sureness = Sureness::likely;
-  if (order.sureness != Sureness::unknown) return;
+  if (votes.isLeaning()) return;
   isLeft = false;  // cameras are seldom numbered backwards both ways
   isUp = !areAlike;
 }

@@ -50,6 +50,8 @@ struct Occlusions {
   Areas reversedAreas;
 
   [[nodiscard]] int count() const { return ordered + reversed; }
+  /// Whether three quarters of at least six places tell the same.
+  [[nodiscard]] bool isLeaning() const;
   [[nodiscard]] Occlusions backwards() const;
   Occlusions& operator+=(const Occlusions& more);
 };

@@ -65,13 +65,15 @@ void printImage(std::ostream& out, const Session& around) {
     out << "warning     " << printable(warning) << "\n";
 }
 
-void printOthers(std::ostream& out, const std::vector<std::string>& others) {
+void printOthers(std::ostream& out, const ViewFiles& views) {
+  const std::vector<std::string>& others = views.others;
   if (others.empty()) return;
   constexpr std::size_t mostNamed = 4;
   out << "others      " << others.size() << ": ";
   for (std::size_t k = 0; k < std::min(mostNamed, others.size()); ++k)
     out << (k == 0 ? "" : ", ") << printable(others[k]);
-  out << (others.size() > mostNamed ? ", …" : "") << "; no views\n";
+  out << (others.size() > mostNamed ? ", …" : "") << "; no views"
+      << (views.otherSizes.empty() ? "" : ": " + views.otherSizes) << "\n";
 }
 
 void printSequence(std::ostream& out, const Session& around) {
@@ -89,9 +91,11 @@ void printViews(std::ostream& out, const Session& around) {
   const ImageFile first{files.front(), around.lightField.yuv};
   out << "layout      views, " << views.rows << " rows of " << views.columns << "\n";
   if (!views.pattern.empty()) out << "names       " << printable(views.pattern) << "\n";
+  if (views.isCounted && views.rows > 1)
+    out << "scan        " << nameOf(around.lightField.scan) << "\n";
   out << "first       " << printable(files.front().filename().string()) << "\n"
       << "last        " << printable(files.back().filename().string()) << "\n";
-  printOthers(out, views.others);
+  printOthers(out, views);
   out << "pictures    " << first.format() << ", " << first.channels() << " channel(s), "
       << typeName(first.type(), first.bits()) << "\n";
   printSize(out, around);

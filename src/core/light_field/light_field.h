@@ -27,8 +27,11 @@ enum class Layout { hogels, views, quilt, mosaic, lenslets, pack, live, woven };
 enum class LiveType { uint8, real };
 enum class RowOrder { topDown, bottomUp };
 enum class ColumnOrder { leftRight, rightLeft };
-/// The order of views that are counted by one running number.
-enum class ViewScan { raster, serpentine };
+/// The order of views that are counted by one running number: row by row or column by column, each
+/// from its beginning, or every second one from its end.
+enum class ViewScan { raster, serpentine, columns, columnsSerpentine };
+/// The tile of a quilt that is its first view.
+enum class QuiltStart { bottomLeft, topLeft };
 
 /// The session's `lightField`: the content's file and its layout, or a live scene.
 struct LightFieldParams {
@@ -44,6 +47,7 @@ struct LightFieldParams {
   double viewingDistance = notGiven;  ///< where the hogels' fields coincide, metres
   int quiltColumns = 0;
   int quiltRows = 0;
+  QuiltStart quiltStart = QuiltStart::bottomLeft;
   LensletParams lenslets;
   YuvParams yuv;       ///< for files of raw YUV
   std::string source;  ///< name of a live scene's content

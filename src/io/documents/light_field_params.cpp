@@ -14,7 +14,9 @@ constexpr std::array<std::string_view, 2> gridNames{"square", "hexagonal"};
 constexpr std::array<std::string_view, 2> typeNames{"uint8", "real"};
 constexpr std::array<std::string_view, 2> rowOrderNames{"top-down", "bottom-up"};
 constexpr std::array<std::string_view, 2> columnOrderNames{"left-right", "right-left"};
-constexpr std::array<std::string_view, 2> scanNames{"raster", "serpentine"};
+constexpr std::array<std::string_view, 4> scanNames{"raster", "serpentine", "columns",
+                                                    "columns-serpentine"};
+constexpr std::array<std::string_view, 2> startNames{"bottom-left", "top-left"};
 constexpr std::array<std::string_view, 2> samplingNames{"4:2:0", "4:4:4"};
 constexpr std::array<std::string_view, 2> matrixNames{"bt709", "bt601"};
 constexpr std::array<std::string_view, 2> rangeNames{"limited", "full"};
@@ -66,8 +68,8 @@ void describeLenslets(ParameterVisitor& v, LensletParams& p) {
 
 void describe(ParameterVisitor& v, LightFieldParams& p) {
   auto& [file, layout, incoming, rows, columns, pattern, exclude, scan, shear, viewingDistance,
-         quiltColumns, quiltRows, lenslets, yuv, source, type, content, live, calibration,
-         calibrationFile] = p;
+         quiltColumns, quiltRows, quiltStart, lenslets, yuv, source, type, content, live,
+         calibration, calibrationFile] = p;
   v.group("lightField", "The display's content: a file and how it is laid out.");
   if (!p.isLive())
     v.field("file", file,
@@ -93,9 +95,10 @@ void describe(ParameterVisitor& v, LightFieldParams& p) {
     v.field("exclude", exclude,
             "File names that are not views, with the shell's wildcards * ? [ ], and ; between "
             "them: *_thumb.png;input_Cam040.png.");
-    v.field("scan", scan, scanNames,
-            "How one running number, a video's frames too, counts the views: every row from its "
-            "first column, or every second one from its last.");
+    v.field(
+        "scan", scan, scanNames,
+        "How one running number, a video's frames too, counts the views: row by row or column by "
+        "column, each from its beginning, or (serpentine) every second one from its end.");
   }
   if (isGridOfViews(layout))
     v.field("shear", shear, {-1e4, 1e4, 0.1}, "px/view",
@@ -116,8 +119,9 @@ void describe(ParameterVisitor& v, LightFieldParams& p) {
   if (layout == Layout::quilt) {
     v.field("columns", quiltColumns, {1, 4096, 1, true}, "views",
             "Views side by side; not given: from the file name's _qs{columns}x{rows}a{aspect}.");
-    v.field("rows", quiltRows, {1, 4096, 1, true}, "views",
-            "Rows of views, the first one at the bottom.");
+    v.field("rows", quiltRows, {1, 4096, 1, true}, "views", "Rows of views.");
+    v.field("start", quiltStart, startNames,
+            "The tile of the first view; the others follow to the right, then row by row.");
   }
   if (layout == Layout::lenslets) describeLenslets(v, lenslets);
   if (isYuv(p)) describeYuv(v, yuv);

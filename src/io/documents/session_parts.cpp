@@ -3,6 +3,7 @@
 
 #include "core/base/error.h"
 #include "io/documents/light_field_params.h"
+#include "io/plugins/plugin_library.h"
 
 namespace hogelscope {
 

@@ -46,10 +46,11 @@ struct LayoutType {
 
 /// One image of hogel tiles, (i·du + u, j·dv + v); for a lens sheet, of its panel's pixels.
 extern const LayoutType hogelsLayout;
-/// A folder or %-pattern of images; frames of a video or pages of a TIFF, counted row by row
-/// (LightFieldParams::scan); a data set of HDF5 (openHdf5).
+/// A folder or %-pattern of images; frames of a video or pages of a TIFF, counted as
+/// LightFieldParams::scan says; a data set of HDF5 (openHdf5).
 extern const LayoutType viewsLayout;
-/// One image of a row of views, as tiles row by row from the bottom left.
+/// One image of a row of views, as tiles row by row from the bottom left, or from the top left
+/// (LightFieldParams::quiltStart).
 extern const LayoutType quiltLayout;
 /// One image of a grid of views, as many tiles as the display has directions, in the order of the
 /// parameters.

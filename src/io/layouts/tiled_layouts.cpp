@@ -18,9 +18,9 @@ namespace {
 
 class TiledImage : public ScatteredFile {
  public:
-  /// Opens an image of `tiles` across and down; a quilt has one row of views, from its bottom left
-  /// tile on. What a quilt's tiles leave over is at its right and top, as the vendor's software has
-  /// it for the sides of its own presets, such as 5×9 views in 4096×4096 px.
+  /// Opens an image of `tiles` across and down; a quilt has one row of views. What a quilt's tiles
+  /// leave over is at its right and opposite to its first row, as the vendor's software has it for
+  /// the sides of its own presets, such as 5×9 views in 4096×4096 px.
   TiledImage(const LightFieldParams& params, const std::array<int, 2>& tiles, bool isQuilt)
       : ScatteredFile(params),
         m_image(params.file, params.yuv),
@@ -38,27 +38,29 @@ class TiledImage : public ScatteredFile {
                            pairText(across, down) + " views; mend " +
                            (isQuilt ? "lightField.columns and rows" : "display.directions"));
     m_size = {width / across, height / down, isQuilt ? across * down : across, isQuilt ? 1 : down};
-    m_top = height % down;
+    const bool isUpwards = params.quiltStart == QuiltStart::bottomLeft;
+    if (isUpwards) m_top = height % down;
     if (!isDivided)
-      m_warnings.push_back("views are " + pairText(m_size.nx, m_size.ny) +
-                           " px from the bottom left: " + pairText(width, height) +
+      m_warnings.push_back("views are " + pairText(m_size.nx, m_size.ny) + " px from the " +
+                           (isUpwards ? "bottom" : "top") + " left: " + pairText(width, height) +
                            " px are no multiple of " + pairText(across, down) + " views, " +
                            std::to_string(width % across) + " px at the right and " +
-                           std::to_string(m_top) + " px at the top are left out");
+                           std::to_string(height % down) + " px at the " +
+                           (isUpwards ? "top" : "bottom") + " are left out");
   }
 
  private:
   void fill(LightField& band, int begin, const Progress& progress) override {
     const auto placeOf = [&](int row, int column) {
-      return m_isQuilt ? placeOfView(m_params, m_size, 0, (m_rows - 1 - row) * m_columns + column,
-                                     begin, band.size().ny)
-                       : placeOfView(m_params, m_size, row, column, begin, band.size().ny);
+      if (!m_isQuilt) return placeOfView(m_params, m_size, row, column, begin, band.size().ny);
+      const int line = m_params.quiltStart == QuiltStart::bottomLeft ? m_rows - 1 - row : row;
+      return placeOfView(m_params, m_size, 0, line * m_columns + column, begin, band.size().ny);
     };
     std::array<int, 2> tile{0, 0};
     std::optional place(placeOf(0, 0));
     const auto target = [&](int x, int y) -> std::optional<TexelIndex> {
-      if (y < m_top || x >= m_columns * m_size.nx) return std::nullopt;
       const std::array own{(y - m_top) / m_size.ny, x / m_size.nx};
+      if (y < m_top || own[0] >= m_rows || own[1] >= m_columns) return std::nullopt;
       if (own != tile) place.emplace(placeOf(own[0], own[1]));
       tile = own;
       return (*place)(x % m_size.nx, (y - m_top) % m_size.ny);

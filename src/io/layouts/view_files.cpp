@@ -11,6 +11,7 @@
 #include "capture/names/name_pattern.h"
 #include "capture/names/name_series.h"
 #include "core/base/error.h"
+#include "core/base/text.h"
 #include "io/files/folders.h"
 #include "io/images/image_file.h"
 #include "io/layouts/layouts.h"
@@ -21,11 +22,12 @@ namespace fs = std::filesystem;
 
 namespace {
 
-std::vector<NamedView> matches(const std::vector<fs::path>& files, const NamePattern& pattern) {
+std::vector<NamedView> matches(const fs::path& folder, const std::vector<fs::path>& files,
+                               const NamePattern& pattern) {
   const bool isOfCoordinates = pattern.meaning().find_first_of("RCN") == std::string::npos;
   std::vector<NamedView> views;
   for (const fs::path& file : files) {
-    const auto numbers = numbersIn(file.filename().string(), pattern);
+    const auto numbers = numbersIn(nameBelow(folder, file), pattern);
     if (!numbers) continue;
     const NamedView view = viewNamed(file, *numbers);
     if (!isOfCoordinates || view.x || view.y) views.push_back(view);
@@ -42,13 +44,26 @@ bool isExcluded(const std::string& name, const std::string& exclude) {
   return false;
 }
 
-/// Returns the files that may be views: neither folders nor hidden files.
-std::vector<fs::path> candidatesIn(const fs::path& folder, const LightFieldParams& params) {
-  std::vector<fs::path> files = filesIn(folder);
-  std::erase_if(files, [&](const fs::path& file) {
-    const std::string name = file.filename().string();
-    return name.front() == '.' || isExcluded(name, params.exclude);
-  });
+/// Returns the files that may be views, in the folder or, if `depth` is more than 0, in its
+/// folders: neither folders nor hidden files.
+std::vector<fs::path> candidatesIn(const fs::path& folder, const LightFieldParams& params,
+                                   std::size_t depth = 0) {
+  std::vector<fs::path> folders{folder};
+  for (; depth > 0; --depth) {
+    std::vector<fs::path> inside;
+    for (const fs::path& outer : folders)
+      for (fs::path& entry : entriesOf(outer))
+        if (entry.filename().string().front() != '.' && isFolder(entry))
+          inside.push_back(std::move(entry));
+    folders = std::move(inside);
+  }
+  std::vector<fs::path> files;
+  for (const fs::path& inner : folders)
+    for (fs::path& file : filesIn(inner)) {
+      const std::string name = file.filename().string();
+      if (name.front() != '.' && !isExcluded(name, params.exclude))
+        files.push_back(std::move(file));
+    }
   return files;
 }
 
@@ -109,15 +124,15 @@ bool isOfOtherData(const NameParts& parts) {
   return false;
 }
 
-std::vector<Claim> claimsOf(const std::vector<fs::path>& files) {
+std::vector<Claim> claimsOf(const fs::path& folder, const std::vector<fs::path>& files) {
   std::vector<Claim> claims;
-  for (NameSeries& series : seriesOf(files)) {
+  for (NameSeries& series : seriesOf(folder, files)) {
     const bool isOther = isOfOtherData(series.parts.front());
     Claim claim{std::move(series), nullptr, isOther};
     for (const KnownNames& known : knownNames) {
       const NamePattern pattern = namePattern(known.pattern);
       const auto fits = [&](const fs::path& file) {
-        return numbersIn(file.filename().string(), pattern).has_value();
+        return numbersIn(nameBelow(folder, file), pattern).has_value();
       };
       if (claim.known == nullptr &&
           std::all_of(claim.series.files.begin(), claim.series.files.end(), fits))
@@ -151,31 +166,38 @@ PictureSize sizeOf(const fs::path& file, const YuvParams& yuv) {
   }
 }
 
-/// Splits a series of images of several sizes, such as view_512_07 and view_128_07; the one with
-/// the most images comes first, or that with the larger ones. If a size occurs only once, the
-/// series stays whole, because that file is an error.
-std::vector<NameSeries> seriesOfOneSize(NameSeries series, const YuvParams& yuv) {
+struct SizedSeries {
+  PictureSize size{0, 0};  ///< {0, 0} if its pictures have several sizes, one of them once
+  NameSeries series;
+};
+
+/// Splits a series of images of several sizes, such as view_512_07 and view_128_07. The wider ones
+/// come first if there are a third as many of them as of any other: of each there may be several
+/// thumbnails. If a size occurs only once, the series stays whole,
+/// because that file is an error.
+std::vector<SizedSeries> seriesOfOneSize(NameSeries series, const YuvParams& yuv) {
   const std::vector<fs::path>& files = series.files;
   const std::size_t count = files.size();
   const PictureSize first = sizeOf(files.front(), yuv);
-  constexpr std::size_t most = 5000;  // whose sizes are read in a moment
-  if (count < 4 || count > most ||
+  constexpr std::size_t mostRead = 5000;  // whose sizes are read in a moment
+  if (count < 4 || count > mostRead ||
       (first == sizeOf(files[count / 2], yuv) && first == sizeOf(files.back(), yuv)))
-    return {std::move(series)};
+    return {{first, std::move(series)}};
   std::map<PictureSize, NameSeries> ofSize;
   for (std::size_t k = 0; k < count; ++k) {
     NameSeries& own = ofSize[sizeOf(files[k], yuv)];
     own.files.push_back(files[k]);
     own.parts.push_back(series.parts[k]);
   }
-  std::vector<NameSeries> result;
+  std::vector<SizedSeries> result;
+  std::size_t most = 0;
   for (auto& [size, own] : ofSize) {
-    if (size == PictureSize{0, 0} || own.files.size() < 2) return {std::move(series)};
-    result.insert(result.begin(), std::move(own));
+    if (size == PictureSize{0, 0} || own.files.size() < 2) return {{first, std::move(series)}};
+    most = std::max(most, own.files.size());
+    result.insert(result.begin(), {size, std::move(own)});  // so the widest come first
   }
-  std::stable_sort(result.begin(), result.end(), [](const NameSeries& a, const NameSeries& b) {
-    return a.files.size() > b.files.size();
-  });
+  std::ranges::stable_partition(
+      result, [most](const SizedSeries& one) { return 3 * one.series.files.size() >= most; });
   return result;
 }
 
@@ -187,22 +209,35 @@ class SeriesSearch {
       : m_files(files), m_yuv(params.yuv), m_source(std::move(source)) {}
 
   std::optional<ViewFiles> find() {
-    for (Claim& claim : claimsOf(m_files))
-      for (const NameSeries& series : seriesOfOneSize(std::move(claim.series), m_yuv)) {
-        if (claim.known != nullptr)
-          if (auto grid = asKnown(series, namePattern(claim.known->pattern))) return grid;
-        for (const std::vector<SeriesReading>& kind : readingsOf(series))
-          if (auto grid = bestOf(series, kind)) return grid;
-      }
+    for (Claim& claim : claimsOf(m_source.folder, m_files)) {
+      const std::vector<SizedSeries> ofSizes = seriesOfOneSize(std::move(claim.series), m_yuv);
+      for (const auto& [size, series] : ofSizes)
+        if (auto grid = gridIn(series, claim.known)) {
+          for (const SizedSeries& other : ofSizes)
+            if (other.size != size)
+              grid->otherSizes += (grid->otherSizes.empty() ? "" : ", ") +
+                                  std::to_string(other.series.files.size()) + " pictures of " +
+                                  pairText(other.size[0], other.size[1]) + " px";
+          return grid;
+        }
+    }
     return std::nullopt;
   }
 
   [[nodiscard]] const std::optional<InputError>& error() const { return m_error; }
 
  private:
+  std::optional<ViewFiles> gridIn(const NameSeries& series, const KnownNames* known) {
+    if (known != nullptr)
+      if (auto grid = asKnown(series, namePattern(known->pattern))) return grid;
+    for (const std::vector<SeriesReading>& kind : readingsOf(series))
+      if (auto grid = bestOf(series, kind)) return grid;
+    return std::nullopt;
+  }
+
   /// Tries a known pattern; the one that is reported has an extension if other files fit it too.
   std::optional<ViewFiles> asKnown(const NameSeries& series, const NamePattern& pattern) {
-    const std::vector<NamedView> views = matches(series.files, pattern);
+    const std::vector<NamedView> views = matches(m_source.folder, series.files, pattern);
     const std::string extension = series.files.front().extension().string();
     return tried(pattern.text + (isExactly(pattern.text, views) ? "" : extension), views);
   }
@@ -210,15 +245,15 @@ class SeriesSearch {
   /// Whether a pattern fits these views' files and no others of the folder.
   [[nodiscard]] bool isExactly(const std::string& pattern,
                                const std::vector<NamedView>& views) const {
-    return std::ranges::equal(matches(m_files, namePattern(pattern)), views, {}, &NamedView::file,
-                              &NamedView::file);
+    return std::ranges::equal(matches(m_source.folder, m_files, namePattern(pattern)), views, {},
+                              &NamedView::file, &NamedView::file);
   }
 
   std::optional<ViewFiles> bestOf(const NameSeries& series,
                                   const std::vector<SeriesReading>& readings) {
     std::optional<ViewFiles> best;
     for (const SeriesReading& reading : readings) {
-      auto grid = tried(patternOf(series, reading), viewsOf(series, reading));
+      auto grid = tried(patternOf(m_source.folder, series, reading), viewsOf(series, reading));
       if (grid && (!best || grid->files.size() < best->files.size())) best = std::move(grid);
     }
     return best;
@@ -243,12 +278,12 @@ class SeriesSearch {
   std::optional<InputError> m_error;
 };
 
-void nameOthers(ViewFiles& grid, const std::vector<fs::path>& files) {
+void nameOthers(ViewFiles& grid, const fs::path& folder, const std::vector<fs::path>& files) {
   std::vector<fs::path> views = grid.found();
   std::sort(views.begin(), views.end());
   for (const fs::path& file : files)
     if (!std::binary_search(views.begin(), views.end(), file))
-      grid.others.push_back(file.filename().string());
+      grid.others.push_back(nameBelow(folder, file));
 }
 
 /// Returns the folder of the first component. JPEG Pleno's reference software has the views of a
@@ -271,11 +306,13 @@ std::string adviceFor(const std::string& pattern, const std::vector<fs::path>& f
 
 ViewFiles findByPattern(const LightFieldParams& params, const NamePattern& pattern,
                         GridSource source) {
-  std::vector<fs::path> files = candidatesIn(source.folder, params);
-  std::vector<NamedView> views = matches(files, pattern);
+  const auto depth = std::size_t(std::ranges::count(pattern.text, '/'));
+  std::vector<fs::path> files = candidatesIn(source.folder, params, depth);
+  std::vector<NamedView> views = matches(source.folder, files, pattern);
   if (const fs::path red = firstComponentsOf(source.folder); views.empty() && isFolder(red)) {
+    source.folder = red;
     files = candidatesIn(red, params);
-    views = matches(files, pattern);
+    views = matches(red, files, pattern);
   }
   if (views.empty())
     throw InputError(source.folder.string(), "views",
@@ -283,45 +320,86 @@ ViewFiles findByPattern(const LightFieldParams& params, const NamePattern& patte
                          adviceFor(pattern.text, files));
   source.pattern = pattern.text;
   ViewFiles grid = gridOf(views, source);
-  nameOthers(grid, files);
+  nameOthers(grid, source.folder, files);
   return grid;
 }
 
+/// Whether a folder has a component of JPEG Pleno's views, whose names have row and column; one row
+/// of views, 0/000.png, may be in a folder of that name too.
+bool areComponents(const fs::path& folder) {
+  const NamePattern names = namePattern("RRR_CCC");
+  return isFolder(folder) && std::ranges::any_of(filesIn(folder), [&](const fs::path& file) {
+           return numbersIn(file.filename().string(), names).has_value();
+         });
+}
+
 /// Finds the views without a pattern.
-ViewFiles findSeries(const LightFieldParams& params, const fs::path& folder,
-                     std::array<int, 2> directions, bool mayHaveComponents = true) {
-  const std::vector<fs::path> files = candidatesIn(folder, params);
-  SeriesSearch search(files, params, {folder, {}, directions, params.scan == ViewScan::serpentine});
-  if (auto grid = search.find()) {
-    nameOthers(*grid, files);
-    return *grid;
+class FolderSearch {
+ public:
+  FolderSearch(const LightFieldParams& params, std::array<int, 2> directions)
+      : m_params(params), m_directions(directions) {}
+
+  ViewFiles find(const fs::path& folder) {
+    if (auto grid = tried(folder, 0)) return *grid;
+    if (const fs::path red = firstComponentsOf(folder); areComponents(red))
+      if (auto grid = tried(red, 0)) return *grid;
+    // The folders of rows, or of columns, are a part of the views' names.
+    if (auto grid = tried(folder, 1)) return *grid;
+    if (m_error) throw *m_error;
+    throw InputError(
+        folder.string(), "views",
+        "no names agree in all but their numbers: " + thereText(candidatesIn(folder, m_params)) +
+            "; give lightField.pattern, such as RRR_CCC");
   }
-  if (const fs::path red = firstComponentsOf(folder); mayHaveComponents && isFolder(red))
-    return findSeries(params, red, directions, false);
-  if (search.error()) throw *search.error();
-  throw InputError(folder.string(), "views",
-                   "no names agree in all but their numbers: " + thereText(files) +
-                       "; give lightField.pattern, such as RRR_CCC");
+
+ private:
+  std::optional<ViewFiles> tried(const fs::path& folder, std::size_t depth) {
+    const std::vector<fs::path> files = candidatesIn(folder, m_params, depth);
+    SeriesSearch search(files, m_params, {folder, {}, m_directions, m_params.scan});
+    auto grid = search.find();
+    if (!grid) {
+      if (!m_error) m_error = search.error();
+      return std::nullopt;
+    }
+    // Several scenes, each in a folder of its own, are no light field.
+    if (depth > 0 && grid->found().front().parent_path() == grid->found().back().parent_path())
+      return std::nullopt;
+    nameOthers(*grid, folder, files);
+    return grid;
+  }
+
+  const LightFieldParams& m_params;
+  std::array<int, 2> m_directions;
+  std::optional<InputError> m_error;
+};
+
+/// Splits a path with %d into the folder before the first such part, and the pattern of the rest.
+std::optional<std::pair<fs::path, std::string>> withPercent(const fs::path& path) {
+  std::error_code error;
+  if (path.string().find('%') == std::string::npos || fs::exists(path, error)) return std::nullopt;
+  fs::path folder, rest;
+  for (const fs::path& part : path)
+    if (rest.empty() && part.string().find('%') == std::string::npos)
+      folder /= part;
+    else
+      rest /= part;
+  return std::pair(folder.empty() ? fs::path(".") : folder, rest.generic_string());
 }
 
 }  // namespace
 
 ViewFiles findViews(const LightFieldParams& params, std::array<int, 2> directions) {
   fs::path folder = params.file;
-  std::error_code error;
   std::optional<NamePattern> pattern;
-  const std::string last = folder.filename().string();
-  if (last.find('%') != std::string::npos && !fs::exists(folder, error)) {
-    pattern = percentPattern(last);
-    folder = folder.parent_path().empty() ? "." : folder.parent_path();
+  if (const auto split = withPercent(folder)) {
+    folder = split->first;
+    pattern = percentPattern(split->second);
   } else if (!params.pattern.empty()) {
     pattern = namePattern(params.pattern);
   }
   checkFolder(folder);
-  return pattern
-             ? findByPattern(params, *pattern,
-                             {folder, {}, directions, params.scan == ViewScan::serpentine, true})
-             : findSeries(params, folder, directions);
+  return pattern ? findByPattern(params, *pattern, {folder, {}, directions, params.scan, true})
+                 : FolderSearch(params, directions).find(folder);
 }
 
 }  // namespace hogelscope

@@ -107,9 +107,7 @@ std::unique_ptr<LightFieldFile> openViews(const LightFieldParams& params,
   const SequenceGrid grid =
       views.columns() > 0
           ? SequenceGrid{views.frames() / views.columns(), views.columns()}
-          : gridOfSequence(
-                views.frames(),
-                {params.file, {}, display.directions, params.scan == ViewScan::serpentine});
+          : gridOfSequence(views.frames(), {params.file, {}, display.directions, params.scan});
   return std::make_unique<ViewSequence>(params, std::move(views), grid);
 }
 

@@ -8,6 +8,7 @@
 
 #include "io/files/system_limits.h"
 #include "io/images/image_file.h"
+#include "io/images/image_inputs.h"
 #include "io/layouts/picture_files.h"
 #include "io/scene/view_source.h"
 
@@ -64,7 +65,9 @@ GreyViews viewsOfFolder(const LightFieldParams& params, const DisplayParams& dis
   GreyViews views;
   views.columnsFromTo = files->columnsFromTo;
   views.rowsFromTo = files->rowsFromTo;
-  for (const std::string& line : {files->missing, files->surplus})
+  views.isCounted = files->isCounted;
+  views.isLoose = files->isLoose;
+  for (const std::string& line : {files->missing, files->surplus, files->ignored})
     if (!line.empty()) views.warnings.push_back(line);
   const auto first =
       std::make_shared<const GreyPicture>(readGrey(files->found().front(), params.yuv));
@@ -96,23 +99,56 @@ GreyPicture tileOf(const GreyPicture& image, int top, int width, int height, int
   return tile;
 }
 
-/// Returns a mosaic's grid, or a quilt's one row of views, from the bottom left tile on.
+/// Whether nothing is in a tile: it is black but for a codec's noise.
+bool isEmpty(const GreyPicture& tile) {
+  constexpr std::uint8_t black = 4;
+  return std::ranges::max(tile.values) <= black;
+}
+
+/// Marks the tiles that are empty, which have no motion, and tells of them.
+void markEmpty(GreyViews& views) {
+  const auto count = std::size_t(views.grid.rows) * std::size_t(views.grid.columns);
+  std::vector<bool> empty;
+  std::string names;
+  std::size_t found = 0;
+  for (std::size_t k = 0; k < count; ++k) {
+    const auto row = int(k / std::size_t(views.grid.columns));
+    empty.push_back(isEmpty(views.grid.view(row, int(k % std::size_t(views.grid.columns)))));
+    if (!empty.back()) continue;
+    constexpr std::size_t mostNamed = 8;
+    if (found++ < mostNamed) names += (names.empty() ? "" : ", ") + std::to_string(k);
+    if (found == mostNamed + 1) names += ", …";
+  }
+  if (found == 0 || found == count) return;
+  views.grid.isMissing = std::move(empty);
+  views.warnings.push_back("lightField: " + std::to_string(found) + " of " + std::to_string(count) +
+                           " tiles are empty and shown black: view" + (found > 1 ? "s " : " ") +
+                           names + ", counted from 0");
+}
+
+/// Returns a mosaic's grid, or a quilt's one row of views.
 GreyViews viewsOfTiles(const LightFieldParams& params, const LightFieldSize& size,
                        const Progress& progress) {
   const auto image =
       std::make_shared<const GreyPicture>(readGrey(params.file, params.yuv, progress));
   const auto [columns, rows] =
       params.layout == Layout::mosaic ? std::array{size.du, size.dv} : quiltTilesOf(params);
+  const bool isUpwards = params.quiltStart == QuiltStart::bottomLeft;
+  const int top = isUpwards ? image->height - rows * size.ny : 0;
   GreyViews views;
-  views.grid = {rows, columns, [=, top = image->height - rows * size.ny](int row, int column) {
+  views.grid = {rows, columns, [=](int row, int column) {
                   return tileOf(*image, top, size.nx, size.ny, column, row);
                 }};
-  if (params.layout == Layout::mosaic) return views;
-  views.tiles = views.grid;
-  views.grid = {1, size.du,
-                [rows = rows, columns = columns, tile = views.grid.view](int, int view) {
-                  return tile(rows - 1 - view / columns, view % columns);
-                }};
+  if (params.layout == Layout::quilt) {
+    views.tiles = views.grid;
+    views.grid = {
+        1, size.du,
+        [isUpwards, rows = rows, columns = columns, tile = views.grid.view](int, int view) {
+          const int line = view / columns;
+          return tile(isUpwards ? rows - 1 - line : line, view % columns);
+        }};
+  }
+  markEmpty(views);
   return views;
 }
 
@@ -173,13 +209,12 @@ std::optional<GreyViews> greyViewsOf(const LightFieldParams& params, const Displ
   const bool isSmall = fitsInMemory(*file, allowedMemory());
   if (typeOf(params.layout).isOfTiles) {
     GreyViews views = viewsOfTiles(params, size, progress);
-    views.warnings = file->warnings();
     if (isSmall) addColours(views, std::move(file));
     return views;
   }
   if (!isSmall) return std::nullopt;
   GreyViews views = viewsInMemory(*file, progress);
-  views.warnings = file->warnings();
+  views.isCounted = params.layout == Layout::views && !isHdf5(params.file);
   return views;
 }
 

@@ -27,7 +27,10 @@ struct GreyViews {
   std::optional<std::array<double, 2>> rowsFromTo;
   /// The tiles of a quilt as they lie in the image; none for other layouts.
   std::optional<GreyGrid> tiles;
-  std::vector<std::string> warnings;  ///< for the user: missing views, a surplus view
+  bool isCounted = false;  ///< the views have one running number, whose order `scan` gives
+  bool isLoose = false;    ///< ViewFiles::isLoose
+  /// For the user: views that are missing or empty, a surplus view, directions that are ignored.
+  std::vector<std::string> warnings;
 };
 
 /// Opens the views; none for a live light field, or if it is too large to be read here. Throws

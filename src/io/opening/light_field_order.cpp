@@ -2,10 +2,12 @@
 #include "io/opening/light_field_order.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 
 #include "capture/names/name_pattern.h"
+#include "core/base/error.h"
 #include "core/base/text.h"
 #include "io/opening/grey_views.h"
 
@@ -17,6 +19,15 @@ const char* nameOf(RowOrder order) {
 
 const char* nameOf(ColumnOrder order) {
   return order == ColumnOrder::leftRight ? "left-right" : "right-left";
+}
+
+const char* nameOf(ViewScan scan) {
+  constexpr std::array names{"raster", "serpentine", "columns", "columns-serpentine"};
+  return names[std::size_t(scan)];
+}
+
+const char* nameOf(QuiltStart start) {
+  return start == QuiltStart::bottomLeft ? "bottom-left" : "top-left";
 }
 
 const char* nameOf(Sureness sureness) {
@@ -82,8 +93,7 @@ class Judgement {
     const Order seen{measured.rows, measured.columns};
     if (measured.isInconsistent) {
       m_reason =
-          "rows or columns of views contradict their neighbours: try "
-          "lightField.scan=serpentine, or another display.directions";
+          "rows or columns of views contradict their neighbours: try another display.directions";
     } else if (names && !(measured.isTransposed && measured.sureness != Sureness::unknown)) {
       withNames(*names, seen);
     } else if (measured.sureness != Sureness::unknown) {
@@ -128,6 +138,9 @@ class Judgement {
     const double correlation = m_measured.correlation;
     if (m_measured.places == 0) {
       m_reason = "nothing in the views has enough structure to follow";
+    } else if (votes().isLeaning() && isOutvoted()) {
+      m_order = seen;
+      m_reason = evidence() + ": too few to be likely";
     } else if (std::abs(correlation) < clearCorrelation) {
       m_reason = "the views do not show what is near and what is far";
     } else if (fitsMotion(m_order, correlation)) {
@@ -196,6 +209,10 @@ class Finding {
     m_result.sureness = judgement.sureness();
     m_result.reason = judgement.reason();
     m_result.warnings = views.warnings;
+    if (views.isLoose) {
+      m_result.sureness = Sureness::unknown;
+      m_result.reason = "so many numbers are missing that the grid is a guess; " + m_result.reason;
+    }
     isGridOfViews(params.layout) ? sayViews() : sayDirections();
   }
 
@@ -212,7 +229,7 @@ class Finding {
     }
     found.rows = m_result.rows;
     found.columns = m_result.columns;
-    found.shear = shearOf(found, m_result.measured);
+    if (m_result.sureness != Sureness::unknown) found.shear = shearOf(found, m_result.measured);
   }
 
   /// Exchanges rows and columns in the pattern; returns false if this is not possible.
@@ -237,10 +254,14 @@ class Finding {
           std::to_string(m_views.grid.columns) + "]");
       return false;
     }
-    const std::string names = m_views.pattern.empty() ? "" : " of \"" + m_views.pattern + "\"";
-    m_result.warnings.push_back("lightField.pattern: the views run column by column, which names" +
-                                names +
-                                " cannot say: name the files by row and column, such as RRR_CCC");
+    const std::string text = "the views run column by column: ";
+    if (m_views.isCounted)
+      m_result.warnings.push_back("lightField.scan: " + text + "give lightField.scan=columns " +
+                                  "display.directions=[" + std::to_string(m_views.grid.rows) + "," +
+                                  std::to_string(m_views.grid.columns) + "]");
+    else
+      m_result.warnings.push_back("lightField.pattern: " + text +
+                                  "name the files by row and column, such as RRR_CCC");
     return false;
   }
 
@@ -280,6 +301,101 @@ LightFieldOrder likeMosaic(const LightFieldParams& params, const GreyGrid& tiles
   return order;
 }
 
+/// Whether content moves along a grid's rows and columns as before one row, or column, of cameras
+/// after the other.
+bool isInOrder(const ViewOrder& measured, const GreyGrid& grid) {
+  if (grid.rows == 1 || grid.columns == 1) return true;
+  return !measured.isInconsistent && !measured.isTransposed &&
+         std::abs(measured.correlation) >= clearCorrelation;
+}
+
+/// Tries the other ways to count the views, and takes the one in which they are in order with the
+/// most evidence.
+void findScan(LightFieldParams& params, GreyViews& views, ViewOrder& measured,
+              const DisplayParams& display, const Progress& progress) {
+  constexpr std::array scans{ViewScan::raster, ViewScan::serpentine, ViewScan::columns,
+                             ViewScan::columnsSerpentine};
+  LightFieldParams tried = params;
+  double done = 0;
+  for (const ViewScan scan : scans) {
+    if (scan == params.scan) continue;
+    tried.scan = scan;
+    const Progress own = part(progress, done / scans.size(), (done + 1) / scans.size());
+    ++done;
+    std::optional<GreyViews> read;
+    try {
+      read = greyViewsOf(tried, display, part(own, 0, 0.3));
+    } catch (const InputError&) {  // views that are missing may not fit this way
+    }
+    if (!read) continue;
+    const ViewOrder order = findViewOrder(read->grid, part(own, 0.3, 1));
+    const bool isBetter = !isInOrder(measured, views.grid) || order.sureness > measured.sureness ||
+                          (order.sureness == measured.sureness && order.places > measured.places);
+    if (!isInOrder(order, read->grid) || !isBetter) continue;
+    params.scan = scan;
+    views = std::move(*read);
+    measured = order;
+  }
+}
+
+double differenceOf(const GreyPicture& one, const GreyPicture& other) {
+  double sum = 0;
+  for (std::size_t k = 0; k < one.values.size(); ++k)
+    sum += std::abs(double(one.values[k]) - double(other.values[k]));
+  return sum / double(one.values.size());
+}
+
+/// Returns the mean difference between the last tile of a row and the first one of the next, for
+/// rows that follow upwards or downwards.
+double jumpOf(const GreyGrid& tiles, QuiltStart start) {
+  double sum = 0, count = 0;
+  for (int row = 1; row < tiles.rows; ++row) {
+    const bool isUpwards = start == QuiltStart::bottomLeft;
+    const int from = isUpwards ? row : row - 1, to = isUpwards ? row - 1 : row;
+    if (!tiles.has(from, tiles.columns - 1) || !tiles.has(to, 0)) continue;
+    sum += differenceOf(tiles.view(from, tiles.columns - 1), tiles.view(to, 0));
+    ++count;
+  }
+  return count > 0 ? sum / count : 0;
+}
+
+/// Returns the mean difference of tiles that lie one below the other.
+double stepDownOf(const GreyGrid& tiles) {
+  double sum = 0, count = 0;
+  for (int row = 1; row < tiles.rows; ++row)
+    for (const int column : {0, tiles.columns / 2, tiles.columns - 1}) {
+      if (!tiles.has(row, column) || !tiles.has(row - 1, column)) continue;
+      sum += differenceOf(tiles.view(row, column), tiles.view(row - 1, column));
+      ++count;
+    }
+  return count > 0 ? sum / count : 0;
+}
+
+enum class TileOrder { unknown, quilt, mosaic };
+
+/// Returns whether tiles are rows of cameras: one below the other is the next view, and the first
+/// of a row is not the next one after the last of another. In a quilt it is the other way round.
+TileOrder tileOrderOf(const GreyGrid& tiles) {
+  if (tiles.rows < 2 || tiles.columns < 2) return TileOrder::unknown;
+  constexpr double clear = 0.85;
+  const double step = stepDownOf(tiles);
+  const double jump =
+      std::min(jumpOf(tiles, QuiltStart::bottomLeft), jumpOf(tiles, QuiltStart::topLeft));
+  return step < clear * jump   ? TileOrder::mosaic
+         : jump < clear * step ? TileOrder::quilt
+                               : TileOrder::unknown;
+}
+
+/// Whether the tiles of a quilt follow one another from its other corner: the step to the next row
+/// is one view there, and nearly two rows from the wrong corner.
+bool startsElsewhere(const GreyGrid& tiles, QuiltStart start) {
+  if (tiles.columns < 2) return false;
+  constexpr double clear = 0.75;
+  const bool isUpwards = start == QuiltStart::bottomLeft;
+  return jumpOf(tiles, isUpwards ? QuiltStart::topLeft : QuiltStart::bottomLeft) <
+         clear * jumpOf(tiles, start);
+}
+
 }  // namespace
 
 LightFieldOrder findLightFieldOrder(const LightFieldParams& params, const DisplayParams& display,
@@ -291,16 +407,28 @@ LightFieldOrder findLightFieldOrder(const LightFieldParams& params, const Displa
     order.reason = "the scene is computed in this order";
     return order;
   }
-  const std::optional<GreyViews> views = greyViewsOf(params, display, part(progress, 0, 0.3));
+  std::optional<GreyViews> views = greyViewsOf(params, display, part(progress, 0, 0.3));
   if (!views) {
     order.reason = "the light field is too large to look at";
     return order;
   }
-  if (views->tiles && hasVerticalParallax(findViewOrder(*views->tiles, part(progress, 0.3, 0.6))))
+  const TileOrder tileOrder = views->tiles ? tileOrderOf(*views->tiles) : TileOrder::unknown;
+  if (views->tiles && (tileOrder == TileOrder::mosaic ||
+                       hasVerticalParallax(findViewOrder(*views->tiles, part(progress, 0.3, 0.5)))))
     return likeMosaic(params, *views->tiles);
-  const ViewOrder measured = findViewOrder(views->grid, part(progress, 0.6, 1));
+  LightFieldParams counted = params;
+  if (views->tiles && startsElsewhere(*views->tiles, params.quiltStart)) {
+    counted.quiltStart =
+        params.quiltStart == QuiltStart::bottomLeft ? QuiltStart::topLeft : QuiltStart::bottomLeft;
+    views = greyViewsOf(counted, display, part(progress, 0.5, 0.6));
+  }
+  ViewOrder measured = findViewOrder(views->grid, part(progress, 0.6, 0.8));
   if (views->tiles && measured.isTransposed) return likeMosaic(params, *views->tiles);
-  return Finding(params, *views, measured).result();
+  if (views->isCounted && !isInOrder(measured, views->grid))
+    findScan(counted, *views, measured, display, part(progress, 0.8, 1));
+  LightFieldOrder found = Finding(counted, *views, measured).result();
+  found.isLikeQuilt = tileOrder == TileOrder::quilt;
+  return found;
 }
 
 LightFieldParams withOrderOf(const LightFieldParams& used, const LightFieldOrder& order) {
@@ -318,6 +446,8 @@ std::vector<std::string> mendingOf(const LightFieldParams& used, const LightFiel
     mending.push_back(std::string("lightField.") + field + "=" + value);
   };
   if (used.pattern != found.pattern) add("pattern", found.pattern);
+  if (used.scan != found.scan) add("scan", nameOf(found.scan));
+  if (used.quiltStart != found.quiltStart) add("start", nameOf(found.quiltStart));
   if (used.rows != found.rows) add("rows", nameOf(found.rows));
   if (used.columns != found.columns) add("columns", nameOf(found.columns));
   if (used.incoming != found.incoming) add("incoming", found.incoming ? "true" : "false");
@@ -331,10 +461,11 @@ std::string contradictionOf(const LightFieldParams& used, const LightFieldOrder&
   ofShear.found.shear = used.shear;
   if (mendingOf(used, ofShear).empty()) return {};
   const bool isCertain = order.sureness == Sureness::sure;
-  std::string text =
-      "lightField: the order of views contradicts their pictures, so depth is "
-      "reversed along a direction; " +
-      std::string(isCertain ? "mend it with" : "try");
+  const bool isOtherCount =
+      used.scan != order.found.scan || used.quiltStart != order.found.quiltStart;
+  std::string text = std::string("lightField: the order of views contradicts their pictures") +
+                     (isOtherCount ? "; " : ", so depth is reversed along a direction; ") +
+                     (isCertain ? "mend it with" : "try");
   for (const std::string& change : mendingOf(used, order)) text += " " + change;
   return text + " (" + nameOf(order.sureness) + ")";
 }

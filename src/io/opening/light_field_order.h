@@ -15,8 +15,9 @@
 namespace hogelscope {
 
 struct LightFieldOrder {
-  /// The light field's parameters with the order and shear that were found, as far as its layout
-  /// has parameters for them; the given ones if nothing was found.
+  /// The light field's parameters with the order that was found, as far as its layout has
+  /// parameters for it, and its shear unless the order is unknown; the given ones if nothing was
+  /// found.
   LightFieldParams found;
   /// The order of the files: for views that of a session's `rows` and `columns`, otherwise that of
   /// hogels, directions or tiles in the file.
@@ -29,6 +30,7 @@ struct LightFieldOrder {
   bool isExchanged = false;  ///< rows and columns of `measured` are exchanged in `found`
   /// The tiles of a quilt show vertical parallax, as those of a mosaic do.
   bool isLikeMosaic = false;
+  bool isLikeQuilt = false;  ///< the tiles of a row follow those of another, as in a quilt
 };
 
 /// Finds the order by some of the views. Throws InputError as openLightField() does, or Cancelled.
@@ -72,9 +74,11 @@ std::string orderDocument(const AssumedOrder& assumed);
 
 RowOrder reversed(RowOrder order);
 ColumnOrder reversed(ColumnOrder order);
-/// Returns "top-down", "left-right", "sure" or another name.
+/// Returns "top-down", "left-right", "raster", "bottom-left", "sure" or another name.
 const char* nameOf(RowOrder order);
 const char* nameOf(ColumnOrder order);
+const char* nameOf(ViewScan scan);
+const char* nameOf(QuiltStart start);
 const char* nameOf(Sureness sureness);
 
 }  // namespace hogelscope

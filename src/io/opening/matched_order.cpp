@@ -14,7 +14,8 @@ namespace hogelscope {
 
 namespace {
 
-constexpr std::array scans{ViewScan::raster, ViewScan::serpentine};
+constexpr std::array scans{ViewScan::raster, ViewScan::serpentine, ViewScan::columns,
+                           ViewScan::columnsSerpentine};
 
 /// Reads the selected frame of an image; each value is the mean of a square of pixels.
 SmallPicture smallOf(ImageFile& image, const Progress& progress) {
@@ -172,8 +173,7 @@ SmallViews::SmallViews(const LightFieldParams& params, const DisplayParams& disp
   if (isViewSequence(params.file)) {
     const std::size_t frames = ImageFile(params.file, params.yuv).frames();
     for (const ViewScan scan : scans) {
-      const SequenceGrid grid = gridOfSequence(
-          frames, {params.file, {}, display.directions, scan == ViewScan::serpentine});
+      const SequenceGrid grid = gridOfSequence(frames, {params.file, {}, display.directions, scan});
       m_columns = int(grid.columns);
       m_rows = int(grid.rows);
       m_cells[scan].resize(frames);
@@ -251,7 +251,7 @@ std::string orderText(const LightFieldParams& from, const LightFieldParams& to) 
   const auto add = [&text](const char* field, const std::string& value) {
     text += (text.empty() ? "lightField." : " lightField.") + std::string(field) + "=" + value;
   };
-  if (from.scan != to.scan) add("scan", to.scan == ViewScan::serpentine ? "serpentine" : "raster");
+  if (from.scan != to.scan) add("scan", nameOf(to.scan));
   if (from.rows != to.rows) add("rows", nameOf(to.rows));
   if (from.columns != to.columns) add("columns", nameOf(to.columns));
   return text;

@@ -156,7 +156,9 @@ class Assumptions {
     if (!isViews) return;
     const bool isCaptured = m_used.viewingDistance > 0;
     add("Shear", numberText(m_used.shear[0]) + ", " + numberText(m_used.shear[1]) + " px/view",
-        isCaptured ? "the capture's own file" : "puts the middle depth on the panel",
+        isCaptured                ? "the capture's own file"
+        : isFound(order.sureness) ? "puts the middle depth on the panel"
+                                  : "none, because the order is not known",
         isCaptured ? Sureness::sure : order.sureness, "lightField.shear");
   }
 
