@@ -547,7 +547,8 @@ class TestLightFieldOrder : public QObject {
           orderedSessionAround((data + "quilt_kirurobo/" + name).toStdString());
       QCOMPARE(session.lightField.layout, Layout::quilt);
       QVERIFY(session.lightField.quiltColumns == 4 && session.lightField.quiltRows == 8);
-      QCOMPARE(hogels, Sureness::likely);
+      // One of them shows text without parallax, as the front of a house might repeat.
+      QCOMPARE(hogels, name == std::string("startup.png") ? Sureness::unknown : Sureness::likely);
     }
   }
 

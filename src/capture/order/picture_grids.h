@@ -19,23 +19,37 @@ struct PictureRows {
   std::function<void(const Row& row, const Progress& progress)> read;
 };
 
+/// Hogels with clear borders, which are not those of the blocks of a JPEG, even if it was decoded
+/// and scaled. Neighbouring pixels differ there more than elsewhere, because one hogel ends with
+/// its last direction and the next begins with its first.
 struct HogelGrid {
   std::array<int, 2> hogels{};      ///< across, down
   std::array<int, 2> directions{};  ///< across, down
   double standOut = 0;  ///< of the borders' differences, standard errors; the lesser of both axes
+  /// Neighbouring hogels resemble each other more than the ends of one of them, along one axis at
+  /// least, which no continuous picture shows, whatever borders a codec gives it.
+  bool isDistinct = false;
+  /// Hogels are two or three pixels wide, and hardly change from direction to direction, as those
+  /// of a picture that has been enlarged.
+  bool mayBeEnlarged = false;
 };
 
-/// Finds the borders of hogels, where neighbouring pixels differ more than elsewhere, because one
-/// hogel ends with its last direction and the next begins with its first. None if no grid stands
-/// out along both axes. Content with a grid of its own in the panel's plane can be mistaken for
-/// hogels. Throws what `read` throws.
-std::optional<HogelGrid> findHogelGrid(const PictureRows& picture, const Progress& progress);
+/// Tiles that show one scene: along both axes the image is more similar to itself about one tile
+/// further than a quarter of a tile less or more.
+struct TileGrid {
+  std::array<int, 2> tiles{};  ///< across, down; at most 32 of at least 24 pixels each
+  double likeness = 0;         ///< 0 … 1, the lesser of both axes; 1: the tiles are equal
+};
 
-/// Finds the tiles, which show one scene: the image is much more similar to itself one tile further
-/// than slightly less or more. Returns the tiles across and down, at most 20 of at least 100 pixels
-/// each; none if no such grid stands out along both axes, or beyond 300 million pixels. Throws what
-/// `read` throws, Cancelled.
-std::optional<std::array<int, 2>> findTileGrid(const PictureRows& picture,
-                                               const Progress& progress);
+struct PictureGrids {
+  std::optional<HogelGrid> hogels;
+  std::optional<TileGrid> tiles;
+};
+
+/// Finds both grids, each where it stands out along both axes (docs/formulas.md, Order of views).
+/// Content with a grid of its own in the panel's plane can be mistaken for hogels, and content that
+/// repeats for tiles. `read` may be called twice. Throws what it throws,
+/// Cancelled.
+PictureGrids findPictureGrids(const PictureRows& picture, const Progress& progress);
 
 }  // namespace hogelscope

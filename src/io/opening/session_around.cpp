@@ -27,11 +27,19 @@ std::array<double, 2> sizeOfShape(double width, double height) {
   return {width / longest, height / longest};
 }
 
-/// Whether a grid has a few large tiles, like a quilt; a hogel image has many small hogels.
-bool isLikeQuilt(const HogelGrid& grid) {
-  constexpr int mostViews = 20, leastPixels = 100;  // of each axis
-  return std::ranges::max(grid.hogels) <= mostViews &&
-         std::ranges::min(grid.directions) >= leastPixels;
+/// Whether hogels are so few and so large that they are rather tiles, each of which is a view.
+bool areLikeTiles(const HogelGrid& grid) {
+  constexpr int mostTiles = 32, leastPixels = 24;
+  return std::ranges::max(grid.hogels) <= mostTiles &&
+         std::ranges::min(grid.directions) >= leastPixels && grid.hogels[0] <= grid.directions[0] &&
+         grid.hogels[1] <= grid.directions[1];
+}
+
+/// Whether hogels are clear and much smaller than the tiles, so that these repeat on the panel.
+bool areFiner(const HogelGrid& hogels, const TileGrid& tiles) {
+  constexpr int finer = 3;
+  return hogels.isDistinct && hogels.hogels[0] >= finer * tiles.tiles[0] &&
+         hogels.hogels[1] >= finer * tiles.tiles[1];
 }
 
 /// Puts a quilt's or a mosaic's number of views into the session.
@@ -44,9 +52,17 @@ void takeTiles(OrderedSession& result, const std::array<int, 2>& tiles, const st
     result.session.lightField.quiltColumns = tiles[0];
     result.session.lightField.quiltRows = tiles[1];
   }
-  result.hogels = Sureness::likely;
   result.assumed = (isMosaic ? "a mosaic of " : "a quilt of ") + pairText(tiles[0], tiles[1]) +
                    " views, found by " + how;
+}
+
+void takeHogels(OrderedSession& result, const HogelGrid& grid) {
+  result.session.lightField.layout = Layout::hogels;
+  result.session.display.hogels = grid.hogels;
+  result.session.display.directions = grid.directions;
+  result.assumed = pairText(grid.hogels[0], grid.hogels[1]) + " hogels of " +
+                   pairText(grid.directions[0], grid.directions[1]) +
+                   " directions, found by their borders in the picture";
 }
 
 void takeLenslets(OrderedSession& result, const LensletLattice& lattice) {
@@ -74,47 +90,121 @@ std::optional<FoundLenslets> lensletsIn(const PictureRows& picture, const Progre
   return recognisedLenslets(plane, part(progress, 0.5, 1));
 }
 
-/// Finds hogels, tiles of views, or lenslets in the image, puts them into the session and describes
-/// them. May change the layout unless it is given.
-void findHogels(OrderedSession& result, bool isLayoutGiven, const Progress& progress) {
+/// What is given of a light field whose size is to be found in its image.
+struct Given {
+  const Session& session;
+  bool isLayoutGiven = false;
+  std::array<std::size_t, 2> picture{0, 0};  ///< width, height
+};
+
+/// Finds the order of what was taken for the image's layout.
+void orderTaken(OrderedSession& result, const Given& given, const Progress& progress) {
+  DisplayParams display = given.session.display;
+  display.hogels = result.session.display.hogels;
+  display.directions = result.session.display.directions;
+  LightFieldParams& lightField = result.session.lightField;
+  result.order = findLightFieldOrder(lightField, display, progress);
+  if (lightField.layout != Layout::quilt || given.isLayoutGiven) return;
+  constexpr std::size_t smallest = 100;  // pixels of a quilt's view; a mosaic's may be smaller
+  const bool isSmall = result.order.sureness == Sureness::unknown && !result.order.isLikeQuilt &&
+                       std::min(given.picture[0] / std::size_t(lightField.quiltColumns),
+                                given.picture[1] / std::size_t(lightField.quiltRows)) < smallest;
+  if (!result.order.isLikeMosaic && !isSmall) return;
+  const std::array tiles{std::exchange(lightField.quiltColumns, 0),
+                         std::exchange(lightField.quiltRows, 0)};
+  lightField.layout = Layout::mosaic;
+  takeTiles(result, tiles,
+            result.order.isLikeMosaic ? "parallax along both axes"
+                                      : "how alike they are, small for a quilt");
+  display.directions = tiles;
+  result.order = findLightFieldOrder(lightField, display, progress);
+}
+
+/// Whether views move against each other as those of neighbouring cameras do, and more at some
+/// places than at others. A continuous picture that is cut into hogels moves alike everywhere.
+bool doViewsAgree(const LightFieldOrder& order) {
+  constexpr double clear = 0.5;
+  const ViewOrder& measured = order.measured;
+  return !measured.isInconsistent && !measured.isTransposed &&
+         (order.sureness != Sureness::unknown || std::abs(measured.correlation) >= clear);
+}
+
+/// Judges what was found in the image by whether its views agree. An order is not surer than the
+/// layout that it is of.
+void judgeTaken(OrderedSession& result, bool isClear) {
+  const bool isAgreed = doViewsAgree(result.order);
+  const bool isOrdered = result.order.sureness != Sureness::unknown;
+  result.hogels = !isAgreed              ? Sureness::unknown
+                  : isClear && isOrdered ? Sureness::sure
+                                         : Sureness::likely;
+  if (isAgreed) return;
+  result.order.sureness = Sureness::unknown;
+  result.order.found.shear = {0, 0};
+}
+
+/// Whether an image may be what was taken for its layout although its views tell nothing: not where
+/// enlarged pixels or content that nearly repeats look the same.
+bool isLikely(const OrderedSession& taken, const PictureGrids& grids) {
+  constexpr double alike = 0.5;
+  if (taken.session.lightField.layout == Layout::hogels) return !grids.hogels->mayBeEnlarged;
+  return grids.tiles && grids.tiles->likeness > alike;
+}
+
+/// Tries tiles and hogels, and returns the reading whose views agree, or else the first one.
+std::optional<OrderedSession> bestReading(const OrderedSession& around, const PictureGrids& grids,
+                                          const Given& given, const Progress& progress) {
+  const auto& [hogels, tiles] = grids;
+  const bool isTiled = typeOf(around.session.lightField.layout).isOfTiles;
+  const bool mayBeHogels = !isTiled && hogels;
+  const bool mayBeTiles = isTiled || !given.isLayoutGiven;
+  std::vector<std::pair<OrderedSession, bool>> readings;  // whether their borders are clear
+  const auto addTiles = [&](const std::array<int, 2>& numbers, const std::string& how) {
+    const auto [across, down] = given.session.display.directions;
+    if (isTiled && across > 0 && across * down != numbers[0] * numbers[1]) return;
+    takeTiles(readings.emplace_back(around, false).first, numbers, how);
+  };
+  constexpr double clear = 8;  // standard errors
+  if (mayBeHogels && tiles && areFiner(*hogels, *tiles))
+    takeHogels(readings.emplace_back(around, hogels->standOut >= clear).first, *hogels);
+  if (mayBeTiles && tiles) addTiles(tiles->tiles, "how alike they are");
+  if (mayBeTiles && hogels && areLikeTiles(*hogels) && (!tiles || tiles->tiles != hogels->hogels))
+    addTiles(hogels->hogels, "their borders in the picture");
+  if (mayBeHogels && (!tiles || !areFiner(*hogels, *tiles)))
+    takeHogels(readings.emplace_back(around, hogels->standOut >= clear).first, *hogels);
+  std::optional<OrderedSession> best;
+  for (auto& [reading, isClear] : readings) {
+    orderTaken(reading, given, progress);
+    judgeTaken(reading, isClear && hogels->isDistinct);
+    const bool isAgreed = reading.hogels != Sureness::unknown;
+    if (!isAgreed && !isLikely(reading, grids)) continue;
+    if (!best || isAgreed) best = std::move(reading);
+    if (isAgreed) break;
+  }
+  return best;
+}
+
+/// Finds hogels, tiles of views, or lenslets in the image, puts them into the session with their
+/// order, and describes them. Returns whether it found any. May change the layout unless it is
+/// given.
+bool findHogels(OrderedSession& result, Given given, const Progress& progress) {
   const LightFieldParams& lightField = result.session.lightField;
-  const bool isTiled = typeOf(lightField.layout).isOfTiles;
   ImageFile image(lightField.file, lightField.yuv);
   const PictureRows picture{
       image.width(), image.height(),
       [&image](const PictureRows::Row& row, const Progress& hear) { image.readRows(row, hear); }};
-  const std::optional<HogelGrid> grid = findHogelGrid(picture, part(progress, 0, 0.5));
-  constexpr double clear = 8;  // standard errors
-  const bool isClear = grid && grid->standOut >= clear;
+  const PictureGrids grids = findPictureGrids(picture, part(progress, 0, 0.5));
+  given.picture = {picture.width, picture.height};
   result.hogels = Sureness::unknown;
-  if (!isClear && (isTiled || !isLayoutGiven))
-    if (const auto tiles = findTileGrid(picture, part(progress, 0.5, 0.7)))
-      return takeTiles(result, *tiles, "how alike they are");
-  if (!isClear && !isLayoutGiven)
-    if (const auto lenslets = lensletsIn(picture, part(progress, 0.7, 1)))
-      return takeLenslets(result, lenslets->lattice);
-  if (!grid) return;
-  const std::string how = "their borders in the picture";
-  if (isTiled || (!isLayoutGiven && isLikeQuilt(*grid)))
-    return takeTiles(result, grid->hogels, how);
-  result.hogels = isClear ? Sureness::sure : Sureness::likely;
-  result.session.display.hogels = grid->hogels;
-  result.session.display.directions = grid->directions;
-  result.assumed = pairText(grid->hogels[0], grid->hogels[1]) + " hogels of " +
-                   pairText(grid->directions[0], grid->directions[1]) + " directions, found by " +
-                   how;
-}
-
-/// Changes a quilt whose tiles show vertical parallax into a mosaic.
-void takeForMosaic(OrderedSession& result, Session& said, const Progress& progress) {
-  LightFieldParams& lightField = result.session.lightField;
-  const std::array tiles{std::exchange(lightField.quiltColumns, 0),
-                         std::exchange(lightField.quiltRows, 0)};
-  lightField.layout = Layout::mosaic;
-  takeTiles(result, tiles, "parallax along both axes");
-  said.lightField = lightField;
-  said.display.directions = tiles;
-  result.order = findLightFieldOrder(lightField, said.display, progress);
+  auto best = bestReading(result, grids, given, part(progress, 0.5, 0.7));
+  const bool isAgreed = best && best->hogels != Sureness::unknown;
+  if (!isAgreed && !given.isLayoutGiven)
+    if (const auto lenslets = lensletsIn(picture, part(progress, 0.7, 1))) {
+      takeLenslets(result, lenslets->lattice);
+      return false;
+    }
+  if (!best) return false;
+  result = std::move(*best);
+  return true;
 }
 
 bool isLayoutGiven(const std::vector<std::string>& overrides) {
@@ -193,17 +283,16 @@ OrderedSession orderedSessionAround(const std::string& file,
     const auto isWhole = [&said] {
       return typeOf(said.lightField.layout).isWhole(said.lightField, said.display);
     };
-    const bool isGuessed = !isWhole() && !isLayoutGiven(overrides);
+    bool isOrdered = false;
     if (!isWhole()) {
-      findHogels(result, !isGuessed, part(progress, 0, 0.5));
+      isOrdered = findHogels(result, {said, isLayoutGiven(overrides), {}}, part(progress, 0, 0.8));
       said.lightField = session.lightField;
       said.display.hogels = session.display.hogels;
       said.display.directions = session.display.directions;
     }
     if (isWhole()) {
-      result.order = findLightFieldOrder(said.lightField, said.display, part(progress, 0.5, 0.8));
-      if (result.order.isLikeMosaic && isGuessed)
-        takeForMosaic(result, said, part(progress, 0.8, 1));
+      if (!isOrdered)
+        result.order = findLightFieldOrder(said.lightField, said.display, part(progress, 0.8, 1));
       session.lightField = result.order.found;
     }
     const PanelParams around = displayAround(session.lightField, said.display);
