@@ -11,6 +11,7 @@
 
 #include "io/documents/session_file.h"
 #include "io/images/image_file.h"
+#include "io/opening/light_field_order.h"
 #include "io/opening/session_around.h"
 #include "io/scene/view_source.h"
 #include "tests/io/documents.h"
@@ -496,6 +497,11 @@ void TestVideos::rawVideos() {
   views.layout = Layout::views;
   views.yuv = params;
   QCOMPARE(openLightField(views, PanelParams())->size(), (LightFieldSize{6, 4, 5, 1}));
+  for (int k = 1; k < 5; ++k) writeFile(QString("folder/all%1.yuv").arg(k), all);
+  views.file = "folder";
+  const auto told = findLightFieldOrder(views, PanelParams()).warnings;
+  QCOMPARE(told.size(), std::size_t(1));
+  QVERIFY(QString::fromStdString(told[0]).contains("all1.yuv has 5 pictures, of which only"));
   writeFile("all.yuv", all.chopped(1));
   QVERIFY(errorOf([&] { ImageFile cut("all.yuv", params); }).contains("is 179 bytes, but one"));
 }

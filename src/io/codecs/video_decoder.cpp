@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <limits>
 #include <new>
 #include <stdexcept>
 #include <utility>
@@ -66,6 +67,10 @@ void VideoDecoder::restart() {
   int error = avcodec_parameters_to_context(m_decoder.get(), stream.codecpar);
   m_decoder->pkt_timebase = stream.time_base;
   m_decoder->thread_count = 1;
+  // Even a frame of one colour takes some bytes; a damaged header may claim any size.
+  constexpr std::int64_t mostPixelsPerByte = 40000;
+  m_decoder->max_pixels = std::min<std::int64_t>(mostPixelsPerByte * m_stream->bytes(),
+                                                 std::numeric_limits<int>::max());
   if (error >= 0) error = avcodec_open2(m_decoder.get(), codec, nullptr);
   if (error < 0)
     throw InputError(m_file.string(), "",

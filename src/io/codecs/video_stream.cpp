@@ -42,7 +42,9 @@ VideoStream::VideoStream(std::filesystem::path file, const std::string& format)
   if (reader == nullptr)
     throw InputError(m_file.string(), "", "is " + format + ", which this FFmpeg does not read");
   int error = avformat_open_input(&container, nullptr, reader, nullptr);
-  if (error < 0) fail(error);
+  if (error < 0)
+    throw InputError(m_file.string(), "is damaged or cut off",
+                     "a " + format + " file without a whole header or index");
   m_container.reset(container);
   error = avformat_find_stream_info(container, nullptr);
   if (error < 0) fail(error);

@@ -28,7 +28,7 @@ class VideoStream {
   [[nodiscard]] std::size_t missing() const;
 
   [[nodiscard]] const AVStream& stream() const { return *m_container->streams[m_index]; }
-  [[nodiscard]] const std::filesystem::path& file() const { return m_file; }
+  [[nodiscard]] std::int64_t bytes() const { return m_size; }  ///< of the file
   /// Returns the matrix by which pictures are shown (libavutil/display.h), 9 numbers; null if there
   /// is none.
   [[nodiscard]] const std::int32_t* displayMatrix() const;
