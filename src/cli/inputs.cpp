@@ -81,6 +81,18 @@ Session checkedSession(const CommandLine& line, const std::optional<Calibration>
   return session;
 }
 
+/// Throws InputError for a file of cameras with several lenses.
+void requireOneCamera(const std::string& file) {
+  const std::vector<std::string> cameras = differingCameras(readCameraFile(file, CameraUse::lens));
+  if (cameras.empty()) return;
+  constexpr std::size_t most = 12;
+  std::string names;
+  for (std::size_t k = 0; k < std::min(most, cameras.size()); ++k)
+    names += (k == 0 ? "" : ", ") + printable(cameras[k]);
+  if (cameras.size() > most) names += ", …";
+  throw InputError(file, "has the cameras " + names, "choose one with --camera NAME");
+}
+
 /// The camera of --calibration, if the job has it; prints what was guessed of it.
 std::optional<Calibration> calibrationOf(const CommandLine& line) {
   if (!line.mayHave("calibration")) return std::nullopt;
@@ -89,6 +101,7 @@ std::optional<Calibration> calibrationOf(const CommandLine& line) {
                      "needs --calibration FILE, of which it is a camera");
   if (!line.has("calibration")) return std::nullopt;
   const std::string file = line.text("calibration");
+  if (!line.has("camera")) requireOneCamera(file);
   std::vector<std::string> notes;
   const Calibration calibration = loadCalibration(file, line.text("camera"), &notes);
   if (!line.has("quiet"))

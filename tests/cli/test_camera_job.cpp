@@ -198,8 +198,8 @@ void TestCameraJob::calibrationOfSeveral() {
   };
   QCOMPARE(
       made({"--calibration", "pair.json"}).err,
-      QByteArray("hogelscope: pair.json: has the cameras left, right: say by its name which of "
-                 "them is wanted\n"));
+      QByteArray("hogelscope: pair.json: has the cameras left, right: choose one with --camera "
+                 "NAME\n"));
   QCOMPARE(made({"--calibration", "pair.json", "--camera", "right"}).err, QByteArray());
   QCOMPARE(loadSession("s2.json").cameras.back().intrinsics.fx, 60.0);
   QCOMPARE(

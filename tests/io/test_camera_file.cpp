@@ -416,6 +416,9 @@ void TestCameraFile::mistakes_data() {
   row("a node above itself", R"({"asset": {}, "cameras": [{"type": "perspective", "perspective":
       {"yfov": 1}}], "nodes": [{"camera": 0, "children": [1]}, {"children": [0]}]})",
       "nodes[0].: has more than 1000 nodes above it, or is above itself");
+  row("a camera that is not calibrated",
+      QByteArray(rosFile).replace("500, 0, 320, 0, 510, 240, 0, 0, 1", "0, 0, 0, 0, 0, 0, 0, 0, 0"),
+      "camera_matrix: is of zeros: the camera has not been calibrated");
   row("short of camera matrices", R"({"D": [1, 2, 3, 4]})",
       "camera_matrix: is missing; it may also be called: cameraMatrix mtx K M1");
 }

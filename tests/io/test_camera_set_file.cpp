@@ -169,6 +169,7 @@ void TestCameraSetFile::traces_data() {
       "1403636579758555392,1,2,3,1,0,0,0\n"
       "1403636580258555392,-1,-2,3,0,0,0,1\n");
   row("units in names", "t (ms);x [mm];pos_y_cm;position_z [m]\n0;1000;200;3\n500;-1000;-200;3\n");
+  row("words in names", "Time (s),Head X (m),Head Y (m),Head Z (m)\n0,1,2,3\n0.5,-1,-2,3\n");
   row("milliseconds since 1970", "1518516389517,1,2,3\n1518516390017,-1,-2,3\n");
 }
 

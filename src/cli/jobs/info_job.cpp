@@ -353,7 +353,9 @@ void writeContactSheet(const CommandLine& line, const OrderedSession& subject,
 std::function<void(std::ostream&, const std::string&)> printerOf(const std::string& file) {
   std::error_code none;
   if (!fs::is_regular_file(file, none) || isMeshFile(file)) return nullptr;
-  if (isCameraFile(file)) return printCameraFile;
+  const std::string ending = lowerCase(fs::path(file).extension().string());
+  const bool isMeant = ending == ".yaml" || ending == ".yml" || ending == ".xml";
+  if (isMeant || isCameraFile(file)) return printCameraFile;
   if (isTraceFile(file)) return printTraceFile;
   return nullptr;
 }

@@ -122,15 +122,20 @@ void CameraSetWidget::setModel(SessionModel* model) {
 }
 
 bool CameraSetWidget::add(const std::function<CameraSet()>& set) {
-  return guarded(this, [&] {
+  std::vector<std::string> notes;
+  const bool isAdded = guarded(this, [&] {
     m_model->changeStates(tr("Add camera set"), [&](Session& session) {
       const CameraSet added = set();
+      notes = added.notes;
       const std::size_t first = session.cameras.size() - (added.params.keepTemplate ? 0 : 1);
       session = withCameras(session, added);
       setPreview({});
       return first;
     });
   });
+  for (const std::string& note : notes)
+    if (isAdded) Q_EMIT failed(QString::fromStdString(note));
+  return isAdded;
 }
 
 bool CameraSetWidget::addFromFile(const QString& file) {

@@ -2,7 +2,10 @@
 // COLMAP's cameras and images, text and binary. A file of images needs that of cameras beside it;
 // points are passed over.
 #include <algorithm>
+#include <array>
+#include <cerrno>
 #include <cmath>
+#include <cstdint>
 #include <cstring>
 #include <fstream>
 #include <map>
@@ -339,8 +342,7 @@ ColmapKind kindOf(const fs::path& file) {
 /// Returns the file of cameras or images in a folder, text or binary; "" if there is none.
 fs::path colmapFile(const fs::path& folder, const char* name, ColmapKind kind) {
   for (const char* ending : {".bin", ".txt"})
-    if (const fs::path file = folder / (std::string(name) + ending); kindOf(file) == kind)
-      return file;
+    if (fs::path file = folder / (std::string(name) + ending); kindOf(file) == kind) return file;
   return {};
 }
 

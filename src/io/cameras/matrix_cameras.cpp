@@ -71,13 +71,18 @@ Json flatIntrinsics(const Json& object) {
   return values.size() == 4 ? values : Json();
 }
 
-std::vector<double> flatCoefficients(const Json& object) {
+/// Returns the coefficients that are members of their own, in the model's order.
+std::vector<double> flatCoefficients(const Json& object, bool isFisheye) {
+  static const std::vector<std::string> ofFisheye{"k1", "k2", "k3", "k4"};
+  static const std::vector<std::string> ofOthers{"k1", "k2", "p1", "p2", "k3", "k4", "k5", "k6"};
   std::vector<double> d;
-  for (const std::string name : {"k1", "k2", "p1", "p2", "k3", "k4", "k5", "k6"}) {
+  for (const std::string& name : isFisheye ? ofFisheye : ofOthers) {
     const std::string ofCamera = "camera" + name, ofFirst = "camera1" + name;
     const Json* const value = memberOf(object, {name, ofCamera, ofFirst});
     d.push_back(value != nullptr && value->is_number() ? value->get<double>() : 0.0);
   }
+  constexpr std::size_t ofBrown = 5;
+  while (d.size() > ofBrown && d.back() == 0) d.pop_back();
   return d;
 }
 
@@ -88,6 +93,8 @@ bool hasMatrix(const Json& object) {
 
 IntrinsicsParams intrinsicsOf(const std::vector<double>& k) {
   if (k.size() != 9) throw InputError("camera_matrix", "is not of 3×3 numbers");
+  if (k[0] == 0 && k[4] == 0)
+    throw InputError("camera_matrix", "is of zeros: the camera has not been calibrated");
   if (k[1] != 0)
     throw InputError("camera_matrix",
                      "has a skew, " + Json(k[1]).dump() + ", which is not modelled");
@@ -202,11 +209,11 @@ void takeModel(const Json& object, FileCamera& camera) {
     camera.model = "omni (xi)";
 }
 
-std::vector<double> coefficientsOf(const Json* d, const std::string& key) {
+std::vector<double> coefficientsOf(const Json* d, const std::string& key, bool isFisheye) {
   if (d == nullptr)
     throw InputError("distortion_coefficients",
                      "is missing; it may also be called: dist_coeffs distCoeffs dist D D1");
-  if (d->is_object() && !d->contains("data")) return flatCoefficients(*d);
+  if (d->is_object() && !d->contains("data")) return flatCoefficients(*d, isFisheye);
   return matrixNumbers(*d, key);
 }
 
@@ -241,8 +248,9 @@ FileCamera cameraIn(const Json& object, const Json* matrix, const std::string& m
   } else {
     camera.calibration.intrinsics = intrinsicsOf(matrixNumbers(*matrix, matrixKey));
   }
-  camera.coefficients =
-      isFlat && lens == nullptr ? flatCoefficients(object) : coefficientsOf(lens, lensKey);
+  const bool isFisheye = lensModelOf(camera) == "fisheye";
+  camera.coefficients = isFlat && lens == nullptr ? flatCoefficients(object, isFisheye)
+                                                  : coefficientsOf(lens, lensKey, isFisheye);
   // A list without numbers stands for no lens where a model is named, as ROS has it.
   if (camera.coefficients.empty() && memberOf(object, modelNames) == nullptr)
     throw InputError(camera.lensPath, "are fewer than k1, k2, p1, p2");

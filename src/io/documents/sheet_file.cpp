@@ -36,8 +36,11 @@ void findSheets(const Json& value, const std::string& place, int depth,
   if (value.is_object() && hasSheetKeys(value)) {
     found.push_back({value, place});
   } else if (value.is_object()) {
-    for (const auto& [key, member] : value.items())
-      findSheets(member, place + (place.empty() ? "" : ".") + key, depth + 1, found);
+    for (const auto& [key, member] : value.items()) {
+      std::string path = place;
+      if (!path.empty()) path += '.';
+      findSheets(member, path += key, depth + 1, found);
+    }
   } else if (value.is_array()) {
     for (std::size_t k = 0; k < value.size(); ++k)
       findSheets(value[k], place + "[" + std::to_string(k) + "]", depth + 1, found);

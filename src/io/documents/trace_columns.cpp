@@ -33,6 +33,7 @@ ColumnName columnNameOf(std::string_view cell) {
     if (end != std::string::npos) unit = text.substr(bracket + 1, end - bracket - 1);
     text = std::string(withoutBlanks(std::string_view(text).substr(0, bracket)));
   }
+  std::ranges::replace(text, ' ', '_');
   if (const auto last = text.rfind('_'); unit.empty() && last != std::string::npos) {
     const std::string behind = text.substr(last + 1);
     constexpr std::array<std::string_view, 9> suffixes{"ns", "us", "ms",   "s", "sec",
