@@ -56,7 +56,9 @@ Session sessionAroundFile(const CommandLine& line) {
   bar.done();
   if (line.has("quiet")) return session;
   const LightFieldParams& used = session.lightField;
-  for (const std::string& warning : warningsOf(used, order)) warn(line, warning);
+  std::vector<std::string> warnings = warningsOf(used, order);
+  if (isGridOfViews(used.layout)) addFileWarnings(warnings, used, session.display);
+  for (const std::string& warning : warnings) warn(line, warning);
   if (!assumed.empty()) printNote(file + ": " + assumed);
   if (isGridOfViews(used.layout))
     printNote(file + ": rows " + nameOf(used.rows) + ", columns " + nameOf(used.columns) + " (" +

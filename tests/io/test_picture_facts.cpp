@@ -10,6 +10,7 @@
 #include "io/images/exr_layers.h"
 #include "io/images/image_file.h"
 #include "io/images/tiff_directories.h"
+#include "io/opening/opening.h"
 #include "io/scene/view_source.h"
 #include "tests/io/any_images.h"
 #include "tests/io/documents.h"
@@ -53,12 +54,18 @@ std::array<int, 2> storedAt(int orientation, int x, int y, int w, int h) {
   return {from(rowAndColumn[1]), from(rowAndColumn[0])};
 }
 
-/// Returns the largest difference from the values that `expected(x, y, c)` gives.
+/// Returns the largest difference from the values that `expected(x, y, c)` gives; 1000 if the file
+/// has another size or is refused.
 template <class Expected>
 double worst(const char* file, int w, int h, const Expected& expected) {
-  ImageFile image{std::filesystem::path(file)};
-  if (int(image.width()) != w || int(image.height()) != h) return 1000;
-  const std::vector<float> pixels = pixelsOf(image);
+  std::vector<float> pixels;
+  try {
+    ImageFile image{std::filesystem::path(file)};
+    if (int(image.width()) != w || int(image.height()) != h) return 1000;
+    pixels = pixelsOf(image);
+  } catch (const InputError&) {
+    return 1000;
+  }
   double difference = 0;
   for (int y = 0; y < h; ++y)
     for (int x = 0; x < w; ++x)
@@ -433,6 +440,17 @@ class TestPictureFacts : public QObject {
     QCOMPARE(file->warnings(),
              (std::vector<std::string>{"the first view, 0_0.exr, has the channel Z beside its "
                                        "colours, which are read"}));
+    // Jobs tell what this finds.
+    const std::vector<std::string> examined = examine(lightFieldOf("views"), {});
+    QCOMPARE(std::ranges::count(examined, file->warnings()[0]), 1);
+    writePages("a.exr", {{.width = 30, .height = 20, .channels = {"R", "G", "B", "Z"}}},
+               storedValue);
+    PanelParams display;
+    display.hogels = {3, 2};
+    display.directions = {10, 10};
+    QCOMPARE(examine(lightFieldOf("a.exr"), display),
+             (std::vector<std::string>{
+                 "the picture has the channel Z beside its colours, which are read"}));
   }
 
   void matlabBefore73() {

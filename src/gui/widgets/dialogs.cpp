@@ -144,7 +144,8 @@ QString lightFieldFilter(const QString& more) {
   return QCoreApplication::translate(
              "FileDialogs",
              "Light fields (*.png *.tif *.tiff *.jpg *.jpeg *.ppm *.pgx *.yuv *.exr *.avi *.mov "
-             "*.mp4 *.m4v *.qt *.mj2 *.mkv *.webm *.y4m *.h5 *.glb *.gltf *.obj *.ply%1);;All "
+             "*.mp4 *.m4v *.qt *.mj2 *.mkv *.webm *.y4m *.h5 *.mat *.glb *.gltf *.obj "
+             "*.ply%1);;All "
              "files (*)")
       .arg(more);
 }

@@ -13,6 +13,7 @@
 #include <optional>
 #include <string_view>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "core/base/error.h"
@@ -31,11 +32,7 @@ class Handle {
   using Close = herr_t (*)(hid_t);
   Handle(hid_t id, Close close) : m_id(id), m_close(close) {}
   Handle(Handle&& other) noexcept : m_id(std::exchange(other.m_id, -1)), m_close(other.m_close) {}
-  Handle& operator=(Handle&& other) noexcept {
-    std::swap(m_id, other.m_id);
-    std::swap(m_close, other.m_close);
-    return *this;
-  }
+  Handle& operator=(Handle&&) = delete;
   ~Handle() {
     if (m_id >= 0) m_close(m_id);
   }
@@ -191,16 +188,6 @@ std::string chosenName(const Handle& file) {
   throw InputError("lightField.pattern", "must name one of the data sets: " + listed(file, views));
 }
 
-/// Opens a data set again, with a cache for its chunks. Where a chunk has parts of all views, each
-/// view would decode all chunks.
-Handle withLargeCache(const Handle& file, const std::string& name) {
-  constexpr std::size_t slots = 12289;  // a prime number, as the library wants
-  const std::size_t bytes = std::min(std::size_t{400} << 20U, allowedMemory() / 2);
-  const Handle access(H5Pcreate(H5P_DATASET_ACCESS), H5Pclose);
-  H5Pset_chunk_cache(access.id(), slots, bytes, 1);
-  return {H5Dopen2(file.id(), name.c_str(), access.id()), H5Dclose};
-}
-
 /// Opens the data set; all of this runs in the other process.
 DataSet openDataSet(const fs::path& path, const std::string& name) {
   Handle file = openFile(path);
@@ -218,7 +205,6 @@ DataSet openDataSet(const fs::path& path, const std::string& name) {
                                  "or floats");
   checkLayout(handle, chosen);
   checkStored(handle, shape, chosen);
-  if (axes->areViewsLast) handle = withLargeCache(file, chosen);
   return {std::move(file), chosen, std::move(handle), shape, *axes};
 }
 
@@ -251,54 +237,102 @@ class Hdf5Input : public ImageInput {
   }
 
  private:
-  /// Selects rows of a view in the file; returns their numbers along the file's axes.
-  std::vector<hsize_t> select(const Handle& space, std::size_t frame, std::size_t first,
-                              std::size_t rows) const {
+  /// A box of the data set.
+  struct Box {
+    std::vector<hsize_t> from;
+    std::vector<hsize_t> count;
+  };
+
+  /// Returns the box of a view's rows.
+  [[nodiscard]] Box boxOf(std::size_t frame, std::size_t first, std::size_t rows) const {
     const ViewAxes& axes = m_dataSet.axes;
     const std::vector<hsize_t>& lengths = m_dataSet.shape.lengths;
-    std::vector<hsize_t> from(lengths.size(), 0);
-    std::vector<hsize_t> count(lengths.size(), 1);
+    Box box{std::vector<hsize_t>(lengths.size(), 0), std::vector<hsize_t>(lengths.size(), 1)};
     for (auto axis = axes.views.rbegin(); axis != axes.views.rend(); ++axis) {
-      from[*axis] = frame % lengths[*axis];
+      box.from[*axis] = frame % lengths[*axis];
       frame /= lengths[*axis];
     }
-    from[axes.height] = first;
-    count[axes.height] = rows;
-    count[axes.width] = m_facts.width;
-    if (axes.colours) count[*axes.colours] = hsize_t(std::min(m_facts.channels, 3));
-    H5Sselect_hyperslab(space.id(), H5S_SELECT_SET, from.data(), nullptr, count.data(), nullptr);
-    return count;
+    box.from[axes.height] = first;
+    box.count[axes.height] = rows;
+    box.count[axes.width] = m_facts.width;
+    if (axes.colours) box.count[*axes.colours] = hsize_t(std::min(m_facts.channels, 3));
+    return box;
   }
 
   template <class T>
-  void readAs(std::size_t frame, std::size_t first, std::size_t rows, T* rgb) const {
-    const ViewAxes& axes = m_dataSet.axes;
+  [[nodiscard]] std::vector<T> valuesOf(const Box& box) const {
     const hid_t dataSet = m_dataSet.handle.id();
     const Handle space(H5Dget_space(dataSet), H5Sclose);
-    const std::vector<hsize_t> count = select(space, frame, first, rows);
-    const std::size_t colours = axes.colours ? count[*axes.colours] : 1;
-    std::vector<T> values(rows * m_facts.width * colours);
-    const Handle memory(H5Screate_simple(int(count.size()), count.data(), nullptr), H5Sclose);
+    const Handle memory(H5Screate_simple(int(box.count.size()), box.count.data(), nullptr),
+                        H5Sclose);
+    H5Sselect_hyperslab(space.id(), H5S_SELECT_SET, box.from.data(), nullptr, box.count.data(),
+                        nullptr);
+    std::vector<T> values(sizeOf(box));
     if (H5Dread(dataSet, nativeType(typeFor<T>()), memory.id(), space.id(), H5P_DEFAULT,
                 values.data()) < 0)
       throw InputError(m_dataSet.name + " is damaged", lastError());
-    for (const T value : values) {
-      if (std::isnan(double(value))) throw InputError("", "has a value that is not a number");
-      if (std::isinf(double(value))) throw InputError("", "has an infinite value");
+    return values;
+  }
+
+  static std::size_t sizeOf(const Box& box) {
+    std::size_t size = 1;
+    for (const hsize_t count : box.count) size *= count;
+    return size;
+  }
+
+  /// Returns the box of all views if it fits into memory. Where neighbouring values are of
+  /// different views, each view would decode nearly all of the file.
+  template <class T>
+  [[nodiscard]] std::optional<Box> allViews() const {
+    if (!m_dataSet.axes.areViewsLast) return std::nullopt;
+    Box box = boxOf(0, 0, m_facts.height);
+    for (const std::size_t axis : m_dataSet.axes.views) {
+      box.from[axis] = 0;
+      box.count[axis] = m_dataSet.shape.lengths[axis];
     }
+    const std::size_t most = std::min(std::size_t{400} << 20U, allowedMemory() / 2);
+    if (sizeOf(box) > most / sizeof(T)) return std::nullopt;
+    return box;
+  }
+
+  template <class T>
+  void readAs(std::size_t frame, std::size_t first, std::size_t rows, T* rgb) {
+    const Box wanted = boxOf(frame, first, rows);
+    const std::optional<Box> all = allViews<T>();
+    if (!all) return copy(valuesOf<T>(wanted), wanted, wanted, rgb);
+    if (!std::holds_alternative<std::vector<T>>(m_all)) m_all = valuesOf<T>(*all);
+    copy(std::get<std::vector<T>>(m_all), *all, wanted, rgb);
+  }
+
+  /// Copies the wanted rows of a view out of a box's values, grey as all three colours.
+  template <class T>
+  void copy(const std::vector<T>& values, const Box& box, const Box& wanted, T* rgb) const {
+    const ViewAxes& axes = m_dataSet.axes;
     // Steps in `values` from one index of an axis to the next.
-    std::vector<std::size_t> step(count.size(), 1);
-    for (std::size_t axis = count.size() - 1; axis-- > 0;)
-      step[axis] = step[axis + 1] * count[axis + 1];
-    const std::size_t colourStep =
-        colours == 3 ? step[*axes.colours] : 0;  // grey becomes all three
-    for (std::size_t y = 0; y < rows; ++y)
+    std::vector<std::size_t> step(box.count.size(), 1);
+    for (std::size_t axis = step.size() - 1; axis-- > 0;)
+      step[axis] = step[axis + 1] * box.count[axis + 1];
+    std::size_t begin = 0;
+    for (std::size_t axis = 0; axis < step.size(); ++axis)
+      begin += (wanted.from[axis] - box.from[axis]) * step[axis];
+    const bool isGrey = !axes.colours || wanted.count[*axes.colours] < 3;
+    const std::size_t colourStep = isGrey ? 0 : step[*axes.colours];
+    for (std::size_t y = 0; y < wanted.count[axes.height]; ++y)
       for (std::size_t x = 0; x < m_facts.width; ++x)
-        for (std::size_t c = 0; c < 3; ++c)
-          *rgb++ = values[y * step[axes.height] + x * step[axes.width] + c * colourStep];
+        for (std::size_t c = 0; c < 3; ++c) {
+          const T value =
+              values[begin + y * step[axes.height] + x * step[axes.width] + c * colourStep];
+          if (std::isnan(double(value))) throw InputError("", "has a value that is not a number");
+          if (std::isinf(double(value))) throw InputError("", "has an infinite value");
+          *rgb++ = value;
+        }
   }
 
   DataSet m_dataSet;
+  /// The values of all views, once they are read; none: by rows.
+  std::variant<std::monostate, std::vector<std::uint8_t>, std::vector<std::uint16_t>,
+               std::vector<float>>
+      m_all;
 };
 
 }  // namespace

@@ -9,12 +9,22 @@
 #include "io/files/random_access_file.h"
 #include "io/files/system_limits.h"
 #include "io/images/exr_layers.h"
+#include "io/images/tiff_directories.h"
 
 namespace hogelscope {
 
 namespace fs = std::filesystem;
 
 namespace {
+
+/// What a file says beyond one upright picture at its place.
+struct PictureFacts {
+  int orientation = 1;             ///< EXIF's: 1 upright, 3 turned by 180°, 6 and 8 by 90°, …
+  std::vector<PicturePart> parts;  ///< with data and display windows, layers of channels
+  TiffPages pages{};
+  std::size_t pictures = 1;  ///< as ImageNumbers::pictures; of which the first is read
+  std::string kind{};        ///< of the file with these pictures, such as "animation"; may be ""
+};
 
 /// How a stored picture becomes the one that its file means.
 struct Placement {
@@ -223,6 +233,26 @@ bool isTiffName(const fs::path& file) {
   return lowerCase(file.extension().string()).starts_with(".tif");
 }
 
+/// Collects what a file says from its reader and from its bytes.
+PictureFacts pictureFactsOf(const fs::path& file, const ImageFacts& facts) {
+  PictureFacts found{
+      .orientation = facts.orientation, .parts = facts.parts, .pictures = facts.pictures};
+  if (facts.format == "jpeg") {
+    found.pictures = picturesOfJpeg(RandomAccessFile(file));
+    found.kind = "a JPEG with further pictures (MPO)";
+  } else if (facts.format == "webp") {
+    addFactsOfWebp(RandomAccessFile(file), found);
+    found.kind = "an animation";
+  } else if (facts.format == "gif" || facts.format == "png") {
+    found.kind = "an animation";
+  } else if (facts.format == "tiff" && isTiffName(file)) {
+    found.pages = tiffPagesOf(file);
+    found.pictures = 1;
+    if (!found.pages.views.empty()) found.orientation = found.pages.orientation;
+  }
+  return found;
+}
+
 std::string pictureNote(const PictureFacts& facts) {
   if (facts.pictures == 1) return {};
   const std::string kind = facts.kind.empty() ? "" : "is " + facts.kind + " and ";
@@ -271,25 +301,6 @@ std::string placeLayer(const fs::path& file, ImageInput& input, const ChosenLaye
 }
 
 }  // namespace
-
-PictureFacts pictureFactsOf(const fs::path& file, const ImageFacts& facts) {
-  PictureFacts found{
-      .orientation = facts.orientation, .parts = facts.parts, .pictures = facts.pictures};
-  if (facts.format == "jpeg") {
-    found.pictures = picturesOfJpeg(RandomAccessFile(file));
-    found.kind = "a JPEG with further pictures (MPO)";
-  } else if (facts.format == "webp") {
-    addFactsOfWebp(RandomAccessFile(file), found);
-    found.kind = "an animation";
-  } else if (facts.format == "gif" || facts.format == "png") {
-    found.kind = "an animation";
-  } else if (facts.format == "tiff" && isTiffName(file)) {
-    found.pages = tiffPagesOf(file);
-    found.pictures = 1;
-    if (!found.pages.views.empty()) found.orientation = found.pages.orientation;
-  }
-  return found;
-}
 
 std::unique_ptr<ImageInput> asFileSays(const fs::path& file, std::unique_ptr<ImageInput> input) {
   const PictureFacts said = pictureFactsOf(file, input->facts());

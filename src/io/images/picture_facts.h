@@ -7,20 +7,8 @@
 #include <memory>
 
 #include "io/images/codecs.h"
-#include "io/images/tiff_directories.h"
 
 namespace hogelscope {
-
-struct PictureFacts {
-  int orientation = 1;             ///< EXIF's: 1 upright, 3 turned by 180°, 6 and 8 by 90°, …
-  std::vector<PicturePart> parts;  ///< with data and display windows, layers of channels
-  TiffPages pages{};
-  std::size_t pictures = 1;  ///< as ImageNumbers::pictures; of which the first is read
-  std::string kind{};        ///< of the file with these pictures, such as "animation"; may be ""
-};
-
-/// Collects what a file says from its reader and from its bytes. Throws InputError.
-PictureFacts pictureFactsOf(const std::filesystem::path& file, const ImageFacts& facts);
 
 /// Returns the input, or one that does what its file says: pictures are turned upright, are as
 /// large as their display window, with black around what is stored, and have the colours of a layer

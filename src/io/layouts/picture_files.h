@@ -35,7 +35,8 @@ class PictureFiles : public LightFieldFile {
   }
   /// Adds warnings from sentences whose subject is missing.
   void warnOf(const std::string& subject, const std::vector<std::string>& notes) {
-    for (const std::string& note : notes) m_warnings.push_back(subject + " " + note);
+    for (const std::string& note : notes)
+      m_warnings.push_back(std::string(subject).append(" ").append(note));
   }
   [[nodiscard]] LightField blank(int rows) const {
     return blankLightField({m_size.nx, rows, m_size.du, m_size.dv}, m_type, m_params.file, packIt);

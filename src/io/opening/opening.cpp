@@ -237,16 +237,6 @@ DisplayParams completed(DisplayParams display, const DisplayParams& shown,
   return display;
 }
 
-/// Returns what a quilt's tiles leave over of its picture; nothing for a file that cannot be read,
-/// since jobs that need no pictures do not ask for one.
-std::vector<std::string> leftOver(const LightFieldParams& quilt, const DisplayParams& display) {
-  try {
-    return openLightField(quilt, display)->warnings();
-  } catch (const InputError&) {
-    return {};
-  }
-}
-
 }  // namespace
 
 Opening inspectFile(const std::string& file, const SaidFields& said, const Progress& progress) {
@@ -264,7 +254,8 @@ Opening inspectFile(const std::string& file, const SaidFields& said, const Progr
     if (session.lightField.layout == Layout::lenslets) {
       const auto lines = examine(session.lightField, session.display, progress);
       auto& warnings = opening.around.order.warnings;
-      warnings.insert(warnings.end(), lines.begin(), lines.end());
+      for (const std::string& line : lines)
+        if (std::ranges::find(warnings, line) == warnings.end()) warnings.push_back(line);
       if (session.lightField.lenslets.white.empty() || !lines.empty())
         opening.around.hogels = std::min(opening.around.hogels, Sureness::likely);
     }
@@ -287,9 +278,8 @@ std::vector<std::string> examine(const LightFieldParams& lightField, const Displ
     lines = warningsOf(lightField, findLightFieldOrder(lightField, display, progress));
   else if (lightField.layout == Layout::lenslets)
     lines = {warningOf(lightField, lensletsOf(lightField, display, progress))};
-  else if (lightField.layout == Layout::quilt)
-    lines = leftOver(lightField, display);
   std::erase(lines, "");
+  addFileWarnings(lines, lightField, display);
   return lines;
 }
 

@@ -45,8 +45,9 @@ struct Preview {
 Opening inspectFile(const std::string& file, const SaidFields& said, const Progress& progress);
 
 /// Returns warnings if the images of a session's light field contradict it: order of views, missing
-/// views, lenslets that do not lie on a regular grid, what a quilt's tiles leave over. Other
-/// layouts are not examined. Throws InputError, Cancelled.
+/// views, lenslets that do not lie on a regular grid, what a quilt's tiles leave over; and what its
+/// files say of their pictures. Only the order of views and mosaics is examined. Throws InputError,
+/// Cancelled.
 std::vector<std::string> examine(const LightFieldParams& lightField, const DisplayParams& display,
                                  const Progress& progress = {});
 

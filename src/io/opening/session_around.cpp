@@ -324,6 +324,19 @@ void addWarnings(std::vector<std::string>& warnings, const LightFieldFile& file)
     if (std::ranges::find(warnings, line) == warnings.end()) warnings.push_back(line);
 }
 
+void addFileWarnings(std::vector<std::string>& warnings, const LightFieldParams& params,
+                     const DisplayParams& display) {
+  const LayoutType& type = typeOf(params.layout);
+  try {
+    if (type.holder == Holder::views || type.isOfTiles)
+      return addWarnings(warnings, *openLightField(params, display));
+    if (type.holder != Holder::picture) return;
+    for (const std::string& note : ImageFile(params.file, params.yuv).notesOfOne())
+      warnings.push_back("the picture " + note);
+  } catch (const InputError&) {
+  }
+}
+
 bool isWhole(const Session& session) {
   return session.lightField.layout != Layout::hogels || session.display.hogels[0] > 0;
 }
@@ -340,9 +353,7 @@ AssumedOrder orderOf(const OrderedSession& subject) {
     assumed.used = session.lightField;
     assumed.warnings = {
         "display.hogels and display.directions are not given, and the file does not say them"};
-    for (const std::string& note :
-         ImageFile(session.lightField.file, session.lightField.yuv).notesOfOne())
-      assumed.warnings.push_back("the picture " + note);
+    addFileWarnings(assumed.warnings, session.lightField, session.display);
     return assumed;
   }
   if (session.lightField.isLive())

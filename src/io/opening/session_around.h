@@ -34,6 +34,10 @@ OrderedSession orderedSessionAround(const std::string& file,
 
 /// Adds the warnings of a light field that are not there already.
 void addWarnings(std::vector<std::string>& warnings, const LightFieldFile& file);
+/// Adds what the files of a light field say (ImageFile::notes()); nothing for one that cannot be
+/// read, which is said when it is.
+void addFileWarnings(std::vector<std::string>& warnings, const LightFieldParams& params,
+                     const DisplayParams& display);
 
 /// Whether the hogels of a session's light field are known; an image of hogels may not say them.
 bool isWhole(const Session& session);
