@@ -217,13 +217,22 @@ void TestLightFieldFile::quilts() {
   QFETCH(int, rows);
   QFETCH(bool, incoming);
   writeImageFile(file, size.nx * quiltColumns, size.ny * quiltRows, quilt);
-  const LightField lightField = read(quiltOf(file, columns, rows, incoming), {});
+  LightFieldParams params = quiltOf(file, columns, rows, incoming);
+  const LightField lightField = read(params, {});
   constexpr LightFieldSize expectedSize{size.nx, size.ny, quiltColumns * quiltRows, 1};
   QVERIFY(lightField.size() == expectedSize);
   const auto expected = [incoming](const TexelIndex& at) {
     return colourOf({at.i, at.j, incoming ? quiltColumns * quiltRows - 1 - at.u : at.u, 0});
   };
   QCOMPARE(firstWrong(lightField, expected, 0.5001), QString());
+  // The same from the top left: the rows of tiles follow in the other direction.
+  params.quiltStart = QuiltStart::topLeft;
+  const auto fromTop = [&](const TexelIndex& at) {
+    const int view = incoming ? quiltColumns * quiltRows - 1 - at.u : at.u;
+    const int row = view / quiltColumns;
+    return colourOf({at.i, at.j, (quiltRows - 1 - row) * quiltColumns + view % quiltColumns, 0});
+  };
+  QCOMPARE(firstWrong(read(params, {}), fromTop, 0.5001), QString());
 }
 
 void TestLightFieldFile::quiltsWithARest_data() {

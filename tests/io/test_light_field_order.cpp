@@ -463,6 +463,56 @@ class TestLightFieldOrder : public QObject {
     QVERIFY(order.warnings.empty());
   }
 
+  /// From the top left, from the right, with tiles that are empty at the end; as a JPEG.
+  void quiltsFromTheTop() {
+    for (const bool isLeft : {false, true}) {
+      const GreyGrid row = gridOf(randomScene(4, -2.5, 2.5), 1, 12, {false, isLeft, false});
+      const auto viewAt = [&](int y, int x) {
+        GreyPicture view = row.view(0, y * 4 + x);
+        if (y == 2 && x > 1) std::ranges::fill(view.values, 0);
+        return view;
+      };
+      writeTiles("q.jpg", {3, 4, viewAt});
+      const auto [session, order, note, hogels] = orderedSessionAround("q.jpg");
+      QVERIFY(session.lightField.layout == Layout::quilt);
+      QCOMPARE(session.lightField.quiltColumns, 4);
+      QVERIFY(session.lightField.quiltStart == QuiltStart::topLeft);
+      QVERIFY(order.sureness != Sureness::unknown);
+      QCOMPARE(session.lightField.incoming, isLeft);
+      QCOMPARE(order.warnings.size(), std::size_t(1));
+      QVERIFY2(order.warnings[0].find("2 of 12 tiles are empty") != std::string::npos,
+               order.warnings[0].c_str());
+      LightFieldParams used = session.lightField;
+      used.quiltStart = QuiltStart::bottomLeft;
+      const std::string line = contradictionOf(used, order);
+      QVERIFY2(line.find("lightField.start=top-left") != std::string::npos, line.c_str());
+    }
+  }
+
+  /// What is said of a quilt is not guessed: 16 views are 4×4 tiles, and 20 are none of this one.
+  void aLayoutThatIsGiven() {
+    const GreyGrid row = gridOf(randomScene(4, -2.5, 2.5), 1, 16);
+    writeTiles("q.jpg", {4, 4, [&](int y, int x) { return row.view(0, (3 - y) * 4 + x); }});
+    const auto given = [](const std::string& views) {
+      return sessionAround("q.jpg", {"lightField.layout=quilt", "display.directions=" + views});
+    };
+    const LightFieldParams quilt = given("[16,1]").lightField;
+    QVERIFY(quilt.layout == Layout::quilt && quilt.quiltColumns == 4 && quilt.quiltRows == 4);
+    const QString error = errorOf([&] { (void)given("[20,1]"); });
+    QVERIFY2(error.contains("lightField.columns"), qPrintable(error));
+  }
+
+  /// Without a known order there is no shear; so many missing numbers leave none.
+  void noShearOfAGuess() {
+    const GreyGrid row = gridOf(randomScene(7, 1, 6), 1, 17);
+    for (const int k : {0, 1, 4, 5, 7, 10, 11, 12, 14, 16})
+      writeGreyPicture(QString("v/view%1.png").arg(k), row.view(0, k));
+    const auto [session, order, note, hogels] = orderedSessionAround("v");
+    QCOMPARE(order.sureness, Sureness::unknown);
+    QVERIFY2(order.reason.starts_with("so many numbers are missing"), order.reason.c_str());
+    QVERIFY((session.lightField.shear == std::array{0.0, 0.0}));
+  }
+
   void documentForPrograms() {
     LightFieldOrder order;
     order.found.layout = Layout::views;

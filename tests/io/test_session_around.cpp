@@ -157,6 +157,35 @@ class TestSessionAround : public QObject {
     QVERIFY((said.session.display.hogels == std::array{24, 18}));
   }
 
+  /// The blocks of a JPEG are no hogels, at any quality, also where it was decoded and scaled.
+  void blocksAreNoHogels() {
+    const auto photograph = [](int x, int y, int c) {
+      const double texture = std::sin(0.031 * x + 0.005 * y + c) + std::sin(0.017 * y - 0.008 * x) +
+                             0.5 * std::sin(0.00009 * x * y + 0.04 * y) +
+                             (std::hypot(x - 200, y - 100) < 60 ? 0.8 : 0.0);
+      const double noise = double((x * 7919 + y * 104729 + c * 31) % 97) / 97;
+      return float(0.5 + 0.15 * texture + 0.04 * noise);
+    };
+    writeImageFile(file("p.png"), 480, 320, photograph);
+    const QImage picture(file("p.png"));
+    for (const int quality : {5, 8, 12, 20, 35, 50, 75, 95}) {
+      QVERIFY(picture.save(file("p.jpg"), nullptr, quality));
+      const QImage decoded(file("p.jpg"));
+      QVERIFY(decoded.save(file("decoded.png")));
+      QVERIFY(decoded.scaled(960, 640).save(file("enlarged.png")));
+      QVERIFY(decoded.scaled(240, 160, Qt::IgnoreAspectRatio, Qt::SmoothTransformation)
+                  .save(file("reduced.png")));
+      for (const char* name : {"p.jpg", "decoded.png", "enlarged.png", "reduced.png"}) {
+        const OrderedSession around = orderedSessionAround(file(name).toStdString());
+        QVERIFY2(around.hogels == Sureness::unknown && around.assumed.empty(),
+                 qPrintable(QString("%1 of quality %2: %3")
+                                .arg(name)
+                                .arg(quality)
+                                .arg(around.assumed.c_str())));
+      }
+    }
+  }
+
   void whatIsNoPictureIsTold() {
     QVERIFY(
         errorOf([&] { (void)sessionAround(file("none.png").toStdString()); }).contains("none.png"));

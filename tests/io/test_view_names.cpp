@@ -281,6 +281,163 @@ class TestViewNames : public QObject {
              QString("view_128_0.pgm"));
   }
 
+  /// The larger pictures, although there are more thumbnails of them; and what the others are.
+  void thumbnails() {
+    for (int k = 0; k < 9; ++k) {
+      writeFile(QString("v/view_%1.pgm").arg(3 * k), "P5 4 2 255\nabcdefgh");
+      for (int small : {1, 2}) writeTiny(QString("v/view_%1.pgm").arg(3 * k + small));
+    }
+    const ViewFiles views = found("v");
+    QCOMPARE(gridText(views), QString("3×3"));
+    QCOMPARE(namesOf(views).at(1), QString("view_3.pgm"));
+    QCOMPARE(views.others.size(), std::size_t(18));
+    QCOMPARE(QString::fromStdString(views.otherSizes), QString("18 pictures of 2×1 px"));
+  }
+
+  /// Numbers of views of a larger grid, `first` + pitch · row + step · column.
+  void partsOfAGrid_data() {
+    QTest::addColumn<int>("first");
+    QTest::addColumn<int>("step");
+    QTest::addColumn<int>("pitch");
+    QTest::addColumn<int>("rows");
+    QTest::addColumn<int>("columns");
+    QTest::newRow("HCI's 3×3 of 9×9") << 0 << 4 << 36 << 3 << 3;
+    QTest::newRow("HCI's corners") << 0 << 8 << 72 << 2 << 2;
+    QTest::newRow("9×9 of 17×17") << 0 << 2 << 34 << 9 << 9;
+    QTest::newRow("from 10, row 1, column 1") << 10 << 2 << 18 << 4 << 4;
+    QTest::newRow("a row and a column in one number") << 101 << 1 << 100 << 5 << 5;
+    QTest::newRow("9 columns of 10") << 0 << 1 << 10 << 5 << 9;
+    QTest::newRow("not square") << 3 << 3 << 24 << 3 << 5;
+  }
+
+  void partsOfAGrid() {
+    QFETCH(const int, first);
+    QFETCH(const int, step);
+    QFETCH(const int, pitch);
+    QFETCH(const int, rows);
+    QFETCH(const int, columns);
+    QStringList expected;
+    for (int row = 0; row < rows; ++row)
+      for (int column = 0; column < columns; ++column) {
+        const int number = first + pitch * row + step * column;
+        expected.push_back(QString("input_Cam%1.pgm").arg(number, 3, 10, QChar('0')));
+        writeTiny("v/" + expected.back());
+      }
+    for (const std::array<int, 2> directions : {std::array{0, 0}, {columns, rows}}) {
+      const ViewFiles views = found("v", directions);
+      QCOMPARE(gridText(views), QString("%1×%2").arg(rows).arg(columns));
+      QCOMPARE(namesOf(views), expected);
+      QVERIFY(views.missing.empty() && !views.isLoose);
+    }
+    // One view fewer is missing, and the grid is the same.
+    if (rows < 3) return;
+    QVERIFY(QFile::remove("v/" + expected[columns + 1]));
+    if (10 * (rows * columns - 1) < 9 * rows * columns) return;
+    const ViewFiles views = found("v");
+    QCOMPARE(gridText(views), QString("%1×%2").arg(rows).arg(columns));
+    QVERIFY(views.missing.find("1 of ") != std::string::npos);
+  }
+
+  /// One or two missing views of a row are no gap that repeats.
+  void gapsThatDoNotRepeat() {
+    for (int k = 0; k < 20; ++k)
+      if (k != 9 && k != 15) writeTiny(QString("v/view%1.pgm").arg(k));
+    const ViewFiles views = found("v");
+    QCOMPARE(gridText(views), QString("1×20"));
+    QVERIFY(!views.isLoose);
+    for (int k : {0, 1, 4, 5, 7, 10, 11, 12, 14, 16}) writeTiny(QString("loose/view%1.pgm").arg(k));
+    QVERIFY(found("loose").isLoose);
+  }
+
+  /// Times, and a counter that began again, tell an order alone.
+  void orders_data() {
+    QTest::addColumn<QStringList>("names");
+    QTest::newRow("seconds") << QStringList{
+        "IMG_20240102_101530", "IMG_20240102_101531", "IMG_20240102_101533", "IMG_20240102_101541",
+        "IMG_20240102_101600", "IMG_20240102_110000", "IMG_20240103_000001"};
+    QTest::newRow("milliseconds") << QStringList{"20231231235959123", "20231231235959999",
+                                                 "20240101000000001"};
+    QTest::newRow("a screenshot's") << QStringList{"Shot 2024-01-02 at 1", "Shot 2024-01-02 at 2"};
+    QTest::newRow("with hyphens") << QStringList{"2024-01-02 10.15.30", "2024-01-02 10.15.37",
+                                                 "2024-01-02 10.16.02", "2024-01-03 09.00.00",
+                                                 "2024-02-03 09.00.00"};
+    QTest::newRow("since 1970") << QStringList{"1700000001", "1700000009", "1700000010"};
+    QTest::newRow("nanoseconds") << QStringList{"1403636579763555584", "1403636579813555456",
+                                                "1403636579963555584"};
+    QTest::newRow("a counter") << QStringList{"DSC_9997", "DSC_9998", "DSC_9999", "DSC_0001",
+                                              "DSC_0002"};
+    QTest::newRow("with 0") << QStringList{"a998", "a999", "a000", "a001", "a002"};
+  }
+
+  void orders() {
+    QFETCH(QStringList, names);
+    for (QString& name : names) {
+      name += ".pgm";
+      writeTiny("v/" + name);
+    }
+    const ViewFiles views = found("v");
+    QCOMPARE(namesOf(views), names);
+    QCOMPARE(views.rows, 1);
+    QVERIFY(views.missing.empty());
+    QCOMPARE(gridText(found("v", {1, int(names.size())})), QString("%1×1").arg(names.size()));
+  }
+
+  /// Rows and columns by letters, by folders, and by numbers between points.
+  void otherNames_data() {
+    QTest::addColumn<QString>("name");
+    for (const char* name : {"{L}{c}.pgm", "view_{L}0{c}.pgm", "{l}{c}.pgm", "0{r}/0{c}.pgm",
+                             "row{r}/column{c}.pgm", "render.{r}.{c}.pgm", "a.0{r}.0{c}.b.pgm"})
+      QTest::newRow(name) << QString(name);
+  }
+
+  void otherNames() {
+    QFETCH(const QString, name);
+    QStringList expected;
+    for (int row = 0; row < 3; ++row)
+      for (int column = 0; column < 4; ++column) {
+        QString file = name;
+        file.replace("{L}", QString(QChar('A' + row)))
+            .replace("{l}", QString(QChar('a' + row)))
+            .replace("{r}", QString::number(row))
+            .replace("{c}", QString::number(column));
+        writeTiny("v/" + file);
+        expected.push_back(file.section('/', -1));
+      }
+    const ViewFiles views = found("v");
+    QCOMPARE(gridText(views), QString("3×4"));
+    QCOMPARE(namesOf(views), expected);
+    QVERIFY(views.others.empty());
+    if (views.pattern.empty()) return;
+    LightFieldParams params = viewsIn("v");
+    params.pattern = views.pattern;
+    QVERIFY(findViews(params, {0, 0}).files == views.files);
+  }
+
+  void foldersByPercent() {
+    for (int k = 0; k < 12; ++k) writeTiny(QString("v/0%1/0%2.pgm").arg(k / 4).arg(k % 4));
+    QCOMPARE(gridText(found("v/%02d/%02d.pgm")), QString("3×4"));
+  }
+
+  /// Several scenes in folders of their own, or colours beside depths, are not one light field.
+  void foldersOfScenes() {
+    for (int k = 0; k < 9; ++k)
+      for (const char* scene : {"box", "dino"})
+        writeTiny(QString("v/%1/input_Cam00%2.pgm").arg(scene).arg(k));
+    QVERIFY(errorOf([] { (void)found("v"); }).contains("no files that could be views"));
+    for (int k = 0; k < 9; ++k)
+      for (const char* kind : {"c", "d"}) writeTiny(QString("w/%1%2.pgm").arg(kind).arg(k));
+    QCOMPARE(gridText(found("w")), QString("3×3"));
+  }
+
+  /// Names with row and column say the grid.
+  void directionsThatAreIgnored() {
+    for (int k = 0; k < 12; ++k) writeTiny(QString("v/%1_%2.pgm").arg(k / 4).arg(k % 4));
+    QVERIFY(found("v").ignored.empty() && found("v", {4, 3}).ignored.empty());
+    const std::string line = found("v", {5, 5}).ignored;
+    QVERIFY2(line.find("5×5 is ignored, because the file names say 4×3") != std::string::npos,
+             line.c_str());
+  }
+
   /// Known names come before a larger series.
   void knownNamesComeFirst() {
     for (int k = 0; k < 4; ++k) writeTiny(QString("v/00%1_00%2.pgm").arg(k / 2).arg(k % 2));

@@ -401,30 +401,36 @@ class TestViewSequences : public QObject {
     QTest::addColumn<int>("frames");
     QTest::addColumn<int>("columns");  // given; 0: not
     QTest::addColumn<int>("rows");
-    QTest::addColumn<bool>("isSerpentine");
+    QTest::addColumn<ViewScan>("scan");
     QTest::addColumn<int>("du");
     QTest::addColumn<int>("dv");
-    QTest::newRow("a square") << 9 << 0 << 0 << false << 3 << 3;
-    QTest::newRow("a row") << 12 << 0 << 0 << false << 12 << 1;
-    QTest::newRow("a grid") << 12 << 4 << 3 << false << 4 << 3;
-    QTest::newRow("serpentine") << 12 << 4 << 3 << true << 4 << 3;
-    QTest::newRow("a column") << 6 << 1 << 6 << true << 1 << 6;
+    QTest::newRow("a square") << 9 << 0 << 0 << ViewScan::raster << 3 << 3;
+    QTest::newRow("a row") << 12 << 0 << 0 << ViewScan::raster << 12 << 1;
+    QTest::newRow("a grid") << 12 << 4 << 3 << ViewScan::raster << 4 << 3;
+    QTest::newRow("serpentine") << 12 << 4 << 3 << ViewScan::serpentine << 4 << 3;
+    QTest::newRow("by columns") << 12 << 4 << 3 << ViewScan::columns << 4 << 3;
+    QTest::newRow("by columns, to and fro")
+        << 12 << 4 << 3 << ViewScan::columnsSerpentine << 4 << 3;
+    QTest::newRow("a column") << 6 << 1 << 6 << ViewScan::serpentine << 1 << 6;
   }
   void videos() {
     QFETCH(const int, frames);
     QFETCH(const int, columns);
     QFETCH(const int, rows);
-    QFETCH(const bool, isSerpentine);
+    QFETCH(const ViewScan, scan);
     QFETCH(const int, du);
     QFETCH(const int, dv);
     writeVideo("views.avi", frames);
     LightFieldParams params;
-    params.scan = isSerpentine ? ViewScan::serpentine : ViewScan::raster;
+    params.scan = scan;
     const auto file = open("views.avi", params, {columns, rows});
     QVERIFY((file->size() == LightFieldSize{width + 9, height + 11, du, dv}));
     const auto expected = [&](const TexelIndex& at) {
-      const bool isReversed = isSerpentine && at.v % 2 == 1;
-      const int frame = at.v * du + (isReversed ? du - 1 - at.u : at.u);
+      const bool isByColumns = scan == ViewScan::columns || scan == ViewScan::columnsSerpentine;
+      const bool isToAndFro = scan == ViewScan::serpentine || scan == ViewScan::columnsSerpentine;
+      const auto [line, place, length] =
+          isByColumns ? std::array{at.u, at.v, dv} : std::array{at.v, at.u, du};
+      const int frame = line * length + (isToAndFro && line % 2 == 1 ? length - 1 - place : place);
       return Rgb{double(sampleAt(frame, at.i, at.j, 0)), double(sampleAt(frame, at.i, at.j, 1)),
                  double(sampleAt(frame, at.i, at.j, 2))};
     };

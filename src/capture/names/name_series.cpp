@@ -347,8 +347,10 @@ std::vector<NameSeries> withLetters(std::vector<NameSeries> all) {
 }  // namespace
 
 std::string nameBelow(const fs::path& folder, const fs::path& file) {
-  if (file.parent_path() == folder) return file.filename().string();
-  return file.lexically_relative(folder).generic_string();
+  const std::string& all = file.native();
+  const std::size_t begin = all.find_first_not_of('/', folder.native().size());
+  const bool isBelow = all.starts_with(folder.native()) && begin != std::string::npos;
+  return isBelow ? all.substr(begin) : file.filename().string();
 }
 
 std::vector<NameSeries> seriesOf(const fs::path& folder, const std::vector<fs::path>& files) {

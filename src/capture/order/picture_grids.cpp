@@ -301,18 +301,20 @@ bool areJpegBlocks(const PictureRows& picture, const Borders& across, const Bord
 /// directions down as across; one of 8×512 is content with lines.
 std::optional<HogelGrid> hogelsOf(const PictureRows& picture, const std::vector<Borders>& across,
                                   const std::vector<Borders>& down, const Progress& progress) {
-  constexpr std::size_t mostLonger = 10, ofEnlarged = 3;
+  constexpr std::size_t mostLonger = 10, ofEnlarged = 4;
   for (const Borders& x : across)
     for (const Borders& y : down) {
       if (std::max(x.period, y.period) > mostLonger * std::min(x.period, y.period)) continue;
       // Blocks have borders along both axes.
       if ((x.areOfBlocks() && !y.isDistinct) || (y.areOfBlocks() && !x.isDistinct)) continue;
       if (x.isFlat() && y.isFlat() && areJpegBlocks(picture, x, y, progress)) return std::nullopt;
-      return HogelGrid{{int(picture.width / x.period), int(picture.height / y.period)},
-                       {int(x.period), int(y.period)},
-                       std::min(x.standOut, y.standOut),
-                       (x.isDistinct && !y.isContinuous) || (y.isDistinct && !x.isContinuous),
-                       x.isFlat() && y.isFlat() && std::max(x.period, y.period) <= ofEnlarged};
+      return HogelGrid{
+          {int(picture.width / x.period), int(picture.height / y.period)},
+          {int(x.period), int(y.period)},
+          std::min(x.standOut, y.standOut),
+          (x.isDistinct && !y.isContinuous) || (y.isDistinct && !x.isContinuous),
+          !x.isDistinct && !y.isDistinct &&
+              (x.isContinuous || y.isContinuous || std::max(x.period, y.period) <= ofEnlarged)};
     }
   return std::nullopt;
 }

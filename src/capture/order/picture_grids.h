@@ -29,9 +29,9 @@ struct HogelGrid {
   /// Neighbouring hogels resemble each other more than the ends of one of them, along one axis at
   /// least, which no continuous picture shows, whatever borders a codec gives it.
   bool isDistinct = false;
-  /// Hogels are two or three pixels wide, and hardly change from direction to direction, as those
-  /// of a picture that has been enlarged.
-  bool mayBeEnlarged = false;
+  /// There is little evidence but the borders, which content with lines, blocks of a scaled JPEG
+  /// and enlarged pixels have too.
+  bool isVague = false;
 };
 
 /// Tiles that show one scene: along both axes the image is more similar to itself about one tile

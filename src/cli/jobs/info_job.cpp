@@ -242,7 +242,8 @@ void printOrder(std::ostream& out, const OrderedSession& subject, const AssumedO
   out << "order       rows " << nameOf(assumed.rows) << ", columns " << nameOf(assumed.columns)
       << ": " << nameOf(assumed.sureness) << "\n"
       << "found by    " << subject.order.reason << "\n";
-  const bool isFound = !(params.viewingDistance > 0) && params.shear == subject.order.found.shear &&
+  const bool isFound = !(params.viewingDistance > 0) && assumed.sureness != Sureness::unknown &&
+                       params.shear == subject.order.found.shear &&
                        subject.order.measured.middleMotion != std::array{0.0, 0.0};
   if (isGridOfViews(params.layout))
     out << "shear       " << numberText(params.shear[0]) << ", " << numberText(params.shear[1])

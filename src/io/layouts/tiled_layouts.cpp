@@ -172,7 +172,8 @@ const LayoutType quiltLayout{
     .words =
         [](const LightFieldParams& params, const DisplayParams&) {
           const auto [columns, rows] = quiltTilesOf(params);
-          return "quilt of " + pairText(columns, rows) + " views";
+          return "quilt of " + pairText(columns, rows) + " views" +
+                 (params.quiltStart == QuiltStart::topLeft ? ", from the top left" : "");
         },
     .foundBy = [](const LightFieldParams& params) -> FoundBy {
       if (quiltNameOf(params.file).tiles[0] > 0)

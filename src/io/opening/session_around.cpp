@@ -145,9 +145,10 @@ void judgeTaken(OrderedSession& result, bool isClear) {
 /// Whether an image may be what was taken for its layout although its views tell nothing: not where
 /// enlarged pixels or content that nearly repeats look the same.
 bool isLikely(const OrderedSession& taken, const PictureGrids& grids) {
-  constexpr double alike = 0.5;
-  if (taken.session.lightField.layout == Layout::hogels) return !grids.hogels->mayBeEnlarged;
-  return grids.tiles && grids.tiles->likeness > alike;
+  constexpr double alike = 0.5, clear = 8;
+  if (taken.session.lightField.layout == Layout::hogels) return !grids.hogels->isVague;
+  return (grids.tiles && grids.tiles->likeness > alike) ||
+         (grids.hogels && areLikeTiles(*grids.hogels) && grids.hogels->standOut >= clear);
 }
 
 /// Tries tiles and hogels, and returns the reading whose views agree, or else the first one.
@@ -155,7 +156,8 @@ std::optional<OrderedSession> bestReading(const OrderedSession& around, const Pi
                                           const Given& given, const Progress& progress) {
   const auto& [hogels, tiles] = grids;
   const bool isTiled = typeOf(around.session.lightField.layout).isOfTiles;
-  const bool mayBeHogels = !isTiled && hogels;
+  constexpr double clear = 8;  // standard errors
+  const bool mayBeHogels = !isTiled && hogels && (given.isLayoutGiven || !areLikeTiles(*hogels));
   const bool mayBeTiles = isTiled || !given.isLayoutGiven;
   std::vector<std::pair<OrderedSession, bool>> readings;  // whether their borders are clear
   const auto addTiles = [&](const std::array<int, 2>& numbers, const std::string& how) {
@@ -163,7 +165,6 @@ std::optional<OrderedSession> bestReading(const OrderedSession& around, const Pi
     if (isTiled && across > 0 && across * down != numbers[0] * numbers[1]) return;
     takeTiles(readings.emplace_back(around, false).first, numbers, how);
   };
-  constexpr double clear = 8;  // standard errors
   if (mayBeHogels && tiles && areFiner(*hogels, *tiles))
     takeHogels(readings.emplace_back(around, hogels->standOut >= clear).first, *hogels);
   if (mayBeTiles && tiles) addTiles(tiles->tiles, "how alike they are");

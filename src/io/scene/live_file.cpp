@@ -11,6 +11,7 @@
 #include "core/base/text.h"
 #include "core/cameras/state_list_edits.h"
 #include "core/content/cut_edges.h"
+#include "io/images/other_formats.h"
 #include "io/plugins/plugin_library.h"
 
 namespace hogelscope {
@@ -116,6 +117,8 @@ LightFieldParams lightFieldOfMesh(const std::string& file) {
   if (!endsInOneOf(meshEndings, file))
     throw InputError(file, "is a mesh of a kind that is not read",
                      "export it as .glb, .gltf, .obj or .ply");
+  if (const std::string advice = adviceOnFormat(file); !advice.empty())
+    throw InputError(file, "", advice);
   LightFieldParams params;
   params.layout = Layout::live;
   params.source = "mesh";
