@@ -55,8 +55,13 @@ void printImage(std::ostream& out, const Session& around) {
       << " px, " << image.channels() << " channel(s), " << typeName(image.type(), image.bits())
       << "\n";
   if (!isWhole(around)) {
-    out << "layout      not said by the file; for hogels: --set display.hogels=[nx,ny] --set "
-           "display.directions=[du,dv]; for lenslets: --set lightField.layout=lenslets\n";
+    out << "layout      not said by the file, in which no hogels, tiles or lenslets were found; "
+           "for "
+           "hogels: --set display.hogels=[nx,ny] --set display.directions=[du,dv]; for a quilt: "
+           "--set lightField.layout=quilt --set lightField.columns=N --set lightField.rows=N; for "
+           "a "
+           "mosaic: --set lightField.layout=mosaic --set display.directions=[du,dv]; for lenslets: "
+           "--set lightField.layout=lenslets\n";
     return;
   }
   out << "layout      " << typeOf(params.layout).words(params, around.display) << "\n";

@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "capture/names/name_pattern.h"
-#include "core/base/error.h"
+#include "capture/names/view_grid.h"
 #include "core/base/text.h"
 #include "io/opening/grey_views.h"
 
@@ -309,35 +309,6 @@ bool isInOrder(const ViewOrder& measured, const GreyGrid& grid) {
          std::abs(measured.correlation) >= clearCorrelation;
 }
 
-/// Tries the other ways to count the views, and takes the one in which they are in order with the
-/// most evidence.
-void findScan(LightFieldParams& params, GreyViews& views, ViewOrder& measured,
-              const DisplayParams& display, const Progress& progress) {
-  constexpr std::array scans{ViewScan::raster, ViewScan::serpentine, ViewScan::columns,
-                             ViewScan::columnsSerpentine};
-  LightFieldParams tried = params;
-  double done = 0;
-  for (const ViewScan scan : scans) {
-    if (scan == params.scan) continue;
-    tried.scan = scan;
-    const Progress own = part(progress, done / scans.size(), (done + 1) / scans.size());
-    ++done;
-    std::optional<GreyViews> read;
-    try {
-      read = greyViewsOf(tried, display, part(own, 0, 0.3));
-    } catch (const InputError&) {  // views that are missing may not fit this way
-    }
-    if (!read) continue;
-    const ViewOrder order = findViewOrder(read->grid, part(own, 0.3, 1));
-    const bool isBetter = !isInOrder(measured, views.grid) || order.sureness > measured.sureness ||
-                          (order.sureness == measured.sureness && order.places > measured.places);
-    if (!isInOrder(order, read->grid) || !isBetter) continue;
-    params.scan = scan;
-    views = std::move(*read);
-    measured = order;
-  }
-}
-
 double differenceOf(const GreyPicture& one, const GreyPicture& other) {
   double sum = 0;
   for (std::size_t k = 0; k < one.values.size(); ++k)
@@ -345,11 +316,17 @@ double differenceOf(const GreyPicture& one, const GreyPicture& other) {
   return sum / double(one.values.size());
 }
 
+/// Returns the distance of the rows that are compared with those above them: few need to be read.
+int stepOfRows(const GreyGrid& tiles) {
+  constexpr int most = 4;
+  return std::max(1, tiles.rows / most);
+}
+
 /// Returns the mean difference between the last tile of a row and the first one of the next, for
 /// rows that follow upwards or downwards.
 double jumpOf(const GreyGrid& tiles, QuiltStart start) {
   double sum = 0, count = 0;
-  for (int row = 1; row < tiles.rows; ++row) {
+  for (int row = 1; row < tiles.rows; row += stepOfRows(tiles)) {
     const bool isUpwards = start == QuiltStart::bottomLeft;
     const int from = isUpwards ? row : row - 1, to = isUpwards ? row - 1 : row;
     if (!tiles.has(from, tiles.columns - 1) || !tiles.has(to, 0)) continue;
@@ -362,8 +339,8 @@ double jumpOf(const GreyGrid& tiles, QuiltStart start) {
 /// Returns the mean difference of tiles that lie one below the other.
 double stepDownOf(const GreyGrid& tiles) {
   double sum = 0, count = 0;
-  for (int row = 1; row < tiles.rows; ++row)
-    for (const int column : {0, tiles.columns / 2, tiles.columns - 1}) {
+  for (int row = 1; row < tiles.rows; row += stepOfRows(tiles))
+    for (const int column : {0, tiles.columns - 1}) {
       if (!tiles.has(row, column) || !tiles.has(row - 1, column)) continue;
       sum += differenceOf(tiles.view(row, column), tiles.view(row - 1, column));
       ++count;
@@ -384,6 +361,45 @@ TileOrder tileOrderOf(const GreyGrid& tiles) {
   return step < clear * jump   ? TileOrder::mosaic
          : jump < clear * step ? TileOrder::quilt
                                : TileOrder::unknown;
+}
+
+/// Returns the views of a grid that is counted in one way as they lie if they are counted in
+/// another.
+GreyGrid recounted(const GreyGrid& grid, ViewScan from, ViewScan to) {
+  const auto rows = std::size_t(grid.rows), columns = std::size_t(grid.columns);
+  const SequenceGrid before{rows, columns, from}, after{rows, columns, to};
+  const auto cellOf = [=](std::size_t cell) { return before.cellOf(after.viewOf(cell)); };
+  GreyGrid result{grid.rows, grid.columns, [=, view = grid.view](int row, int column) {
+                    const std::size_t cell =
+                        cellOf(std::size_t(row) * columns + std::size_t(column));
+                    return view(int(cell / columns), int(cell % columns));
+                  }};
+  for (std::size_t cell = 0; cell < grid.isMissing.size(); ++cell)
+    result.isMissing.push_back(grid.isMissing[cellOf(cell)]);
+  return result;
+}
+
+/// Counts the views in another way if they are in order then. Cameras that go to and fro have the
+/// end of a line beside the beginning of the next; else rows may be columns.
+void findScan(LightFieldParams& params, GreyViews& views, ViewOrder& measured,
+              const Progress& progress) {
+  const GreyGrid raster = recounted(views.grid, params.scan, ViewScan::raster);
+  constexpr double clear = 0.85;
+  const bool isToAndFro = jumpOf(raster, QuiltStart::topLeft) < clear * stepDownOf(raster);
+  const std::array scans = isToAndFro
+                               ? std::array{ViewScan::serpentine, ViewScan::columnsSerpentine}
+                               : std::array{ViewScan::raster, ViewScan::columns};
+  if (!isToAndFro && params.scan == scans[0] && !measured.isTransposed) return;
+  for (const ViewScan scan : scans) {
+    if (scan == params.scan) continue;
+    GreyGrid grid = recounted(raster, ViewScan::raster, scan);
+    const ViewOrder order = findViewOrder(grid, progress);
+    if (!isInOrder(order, grid)) continue;
+    params.scan = scan;
+    views.grid = std::move(grid);
+    measured = order;
+    return;
+  }
 }
 
 /// Whether the tiles of a quilt follow one another from its other corner: the step to the next row
@@ -425,7 +441,7 @@ LightFieldOrder findLightFieldOrder(const LightFieldParams& params, const Displa
   ViewOrder measured = findViewOrder(views->grid, part(progress, 0.6, 0.8));
   if (views->tiles && measured.isTransposed) return likeMosaic(params, *views->tiles);
   if (views->isCounted && !isInOrder(measured, views->grid))
-    findScan(counted, *views, measured, display, part(progress, 0.8, 1));
+    findScan(counted, *views, measured, part(progress, 0.8, 1));
   LightFieldOrder found = Finding(counted, *views, measured).result();
   found.isLikeQuilt = tileOrder == TileOrder::quilt;
   return found;
