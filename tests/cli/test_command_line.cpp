@@ -333,14 +333,15 @@ void TestCommandLine::infoOfPictures() {
   writeImageFile("a.tif", 20, 18, [](int, int, int) { return 0.5F; }, {PictureType::UInt16, 4});
   const Outcome outcome = run({"--info", "a.tif"}, m_folder->path());
   QCOMPARE(outcome.err, QByteArray());
-  QCOMPARE(outcome.out,
-           QByteArray("picture     tiff, 20×18 px, 4 channel(s), 16 bit\n"
-                      "layout      not said by the file, in which no hogels, tiles or lenslets were "
-                      "found; for hogels: --set display.hogels=[nx,ny] --set "
-                      "display.directions=[du,dv]; for a quilt: --set lightField.layout=quilt "
-                      "--set lightField.columns=N --set lightField.rows=N; for a mosaic: --set "
-                      "lightField.layout=mosaic --set display.directions=[du,dv]; for lenslets: "
-                      "--set lightField.layout=lenslets\n"));
+  QCOMPARE(
+      outcome.out,
+      QByteArray("picture     tiff, 20×18 px, 4 channel(s), 16 bit\n"
+                 "layout      not said by the file, in which no hogels, tiles or lenslets were "
+                 "found; for hogels: --set display.hogels=[nx,ny] --set "
+                 "display.directions=[du,dv]; for a quilt: --set lightField.layout=quilt "
+                 "--set lightField.columns=N --set lightField.rows=N; for a mosaic: --set "
+                 "lightField.layout=mosaic --set display.directions=[du,dv]; for lenslets: "
+                 "--set lightField.layout=lenslets\n"));
   writeGrey("q_qs4x3a1.5.png", 20, 18);
   QCOMPARE(run({"--info", "q_qs4x3a1.5.png"}, m_folder->path()).out,
            QByteArray("picture     png, 20×18 px, 3 channel(s), 8 bit\n"

@@ -513,6 +513,15 @@ class TestLightFieldOrder : public QObject {
     QVERIFY((session.lightField.shear == std::array{0.0, 0.0}));
   }
 
+  /// Names with row and column say the grid, and so does a warning.
+  void directionsThatAreIgnored() {
+    writeGrid("v", gridOf(randomScene(7, 1, 6), 3, 4));
+    const OrderedSession around = orderedSessionAround("v", {"display.directions=[5,5]"});
+    QCOMPARE(around.order.warnings.size(), std::size_t(1));
+    QVERIFY(around.order.warnings[0].starts_with("display.directions: 5×5 is ignored"));
+    QVERIFY(orderedSessionAround("v", {"display.directions=[4,3]"}).order.warnings.empty());
+  }
+
   void documentForPrograms() {
     LightFieldOrder order;
     order.found.layout = Layout::views;

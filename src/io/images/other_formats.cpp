@@ -63,9 +63,6 @@ constexpr std::array marks{
          "7zXZ\0"sv,
          archive},
     Mark{0, "\x28\xb5\x2f\xfd"sv, archive},
-    Mark{0, "\xff\x0a"sv, "is a JPEG XL picture: convert it by djxl NAME.jxl NAME.png"},
-    Mark{0, "\0\0\0\x0cJXL \r\n\x87\n"sv,
-         "is a JPEG XL picture: convert it by djxl NAME.jxl NAME.png"},
     Mark{0, "%PDF-"sv, "is a PDF: take its pictures out, such as by pdfimages"},
     Mark{0, "<svg"sv, "is a drawing (SVG): draw it as pixels, such as by rsvg-convert"}};
 

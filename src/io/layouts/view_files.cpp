@@ -373,10 +373,12 @@ class FolderSearch {
   std::optional<InputError> m_error;
 };
 
-/// Splits a path with %d into the folder before the first such part, and the pattern of the rest.
+/// Splits a path whose file name has %d into the folder before the first such part, and the pattern
+/// of the rest.
 std::optional<std::pair<fs::path, std::string>> withPercent(const fs::path& path) {
   std::error_code error;
-  if (path.string().find('%') == std::string::npos || fs::exists(path, error)) return std::nullopt;
+  if (path.filename().string().find('%') == std::string::npos || fs::exists(path, error))
+    return std::nullopt;
   fs::path folder, rest;
   for (const fs::path& part : path)
     if (rest.empty() && part.string().find('%') == std::string::npos)

@@ -67,7 +67,7 @@ GreyViews viewsOfFolder(const LightFieldParams& params, const DisplayParams& dis
   views.rowsFromTo = files->rowsFromTo;
   views.isCounted = files->isCounted;
   views.isLoose = files->isLoose;
-  for (const std::string& line : {files->missing, files->surplus, files->ignored})
+  for (const std::string& line : {files->missing, files->surplus})
     if (!line.empty()) views.warnings.push_back(line);
   const auto first =
       std::make_shared<const GreyPicture>(readGrey(files->found().front(), params.yuv));

@@ -29,7 +29,7 @@ struct GreyViews {
   std::optional<GreyGrid> tiles;
   bool isCounted = false;  ///< the views have one running number, whose order `scan` gives
   bool isLoose = false;    ///< ViewFiles::isLoose
-  /// For the user: views that are missing or empty, a surplus view, directions that are ignored.
+  /// For the user: views that are missing or empty, a surplus view.
   std::vector<std::string> warnings;
 };
 

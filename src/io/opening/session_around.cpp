@@ -247,11 +247,13 @@ PanelParams displayAround(const LightFieldParams& lightField, const DisplayParam
 }
 
 /// Puts the panel into the plane in focus if the capture gives the positions of its cameras.
-/// Returns whether it does.
-bool takeGeometry(Session& session, const DisplayParams& given) {
+/// Returns whether it does. Tells of directions that the file names contradict.
+bool takeGeometry(OrderedSession& result, const DisplayParams& given) {
+  Session& session = result.session;
   LightFieldParams& lightField = session.lightField;
   if (lightField.layout != Layout::views || !isFolder(lightField.file)) return false;
   const ViewFiles views = findViews(lightField, given.directions);
+  if (!views.ignored.empty()) result.order.warnings.push_back(views.ignored);
   const ImageFile first(views.found().front(), lightField.yuv);
   const auto [width, height] = std::pair(int(first.width()), int(first.height()));
   const auto geometry = captureGeometry(lightField.file, views, width, height);
@@ -304,7 +306,7 @@ OrderedSession orderedSessionAround(const std::string& file,
       session.display.directions = said.display.directions;
     }
     if (around.viewingDistance > 0) session.lightField.viewingDistance = around.viewingDistance;
-    if (takeGeometry(session, said.display)) {
+    if (takeGeometry(result, said.display)) {
       result.order.found.viewingDistance = session.lightField.viewingDistance;
       result.order.found.shear = session.lightField.shear;
     }
