@@ -145,7 +145,7 @@ void judgeTaken(OrderedSession& result, bool isClear) {
 /// Whether an image may be what was taken for its layout although its views tell nothing: not where
 /// enlarged pixels or content that nearly repeats look the same.
 bool isLikely(const OrderedSession& taken, const PictureGrids& grids) {
-  constexpr double alike = 0.5, clear = 8;
+  constexpr double alike = 0.35, clear = 8;
   if (taken.session.lightField.layout == Layout::hogels) return !grids.hogels->isVague;
   return (grids.tiles && grids.tiles->likeness > alike) ||
          (grids.hogels && areLikeTiles(*grids.hogels) && grids.hogels->standOut >= clear);
