@@ -168,10 +168,12 @@ Borders bordersOf(const Axis& axis, std::size_t period, double standOut) {
   return borders;
 }
 
-/// Whether every second, or every third, border of a period stands out against the others: then
-/// these are a codec's.
+/// Whether every second, or every third, border of a codec's period stands out against the others:
+/// then these are the codec's. Those of another period may fall together with the codec's.
 bool areOfLongerPeriod(const Axis& axis, std::size_t period) {
   constexpr double clear = 5;  // standard errors
+  constexpr std::size_t block = 8;
+  if (period % block != 0) return false;
   const auto isLonger = [&](std::size_t times) {
     return axis.length() % (times * period) == 0 && axis.standOut(period, times) > clear;
   };
@@ -239,6 +241,12 @@ Tiles tilesAlong(const Axis& axis, const Progress& progress) {
   double most = 4;  // standard errors
   for (const auto& each : periods)
     if (const double height = axis.standOut(each.first); height > most) most = height, found = each;
+  // Borders that fall together with those of a codec's blocks stand out more than the others.
+  for (const auto& each : periods)
+    if (found.first % each.first == 0 && axis.standOut(each.first) > most / 2) {
+      found = each;
+      break;
+    }
   const std::size_t count = axis.length() / found.first;
   if (found.second < least || found.first < leastTile || count > mostTiles) return {};
   return {count, found.second};
