@@ -61,11 +61,7 @@ class TestFiles : public HabitsTest {
                  .convertToFormat(QImage::Format_RGB32));
     const QString first = newest().thumbnail;
     QVERIFY(QDir::setCurrent(m_folder->path()));
-    writeImageFile("theirs.png", 960, 540, [](int px, int py, int c) {
-      const double x = (px / 24 + 0.5) / 40 - 0.2 * (px % 24) / 24;
-      const double y = (py / 18 + 0.5) / 30 + 0.2 * (py % 18) / 18;
-      return float(0.5 + 0.2 * std::sin(31 * x + 5 * y + c) + 0.2 * std::sin(17 * y - 8 * x));
-    });
+    writeTwoWalls("theirs.png", 40, 30, 24, 18);
     QVERIFY(files(*m_window).open(m_folder->filePath("theirs.png")));
     QTRY_COMPARE_WITH_TIMEOUT(newest().file, m_folder->filePath("theirs.png"), patience);
     QCOMPARE(newest().what, QString("Hogels 40 × 30 of 24 × 18"));

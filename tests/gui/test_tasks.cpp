@@ -86,11 +86,7 @@ void TestTasks::init() {
 /// From the home page: one key, and a double click on the file. The size of its hogels is nobody's
 /// to say.
 void TestTasks::theFirstPictureOfAForeignHogelImage() {
-  writeImageFile("theirs.png", 960, 540, [](int px, int py, int c) {
-    const double x = (px / 24 + 0.5) / 40 - 0.2 * (px % 24) / 24;
-    const double y = (py / 18 + 0.5) / 30 + 0.2 * (py % 18) / 18;
-    return float(0.5 + 0.2 * std::sin(31 * x + 5 * y + c) + 0.2 * std::sin(17 * y - 8 * x));
-  });
+  writeTwoWalls("theirs.png", 40, 30, 24, 18);
   showWindow({1280, 800});
   QSettings().setValue("lastFolder", m_folder.path());
   pickFile("theirs.png");

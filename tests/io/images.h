@@ -32,6 +32,22 @@ inline void writeImageFile(const QString& file, int width, int height, const Pic
     qFatal("cannot write %s", qPrintable(file));
 }
 
+/// Writes a hogel image of pieces of a wall before the panel, and of one behind it, which show that
+/// columns run from the left to the right, and rows downwards.
+inline void writeTwoWalls(const QString& file, int nx, int ny, int du, int dv) {
+  writeImageFile(file, nx * du, ny * dv, [=](int px, int py, int c) {
+    const double u = double(px % du) / du, v = double(py % dv) / dv;
+    const double x = (px / du + 0.5) / nx, y = (py / dv + 0.5) / ny;
+    const auto wall = [](double ofX, double ofY, int colour) {
+      return float(0.5 + 0.2 * std::sin(31 * ofX + 5 * ofY + colour) +
+                   0.2 * std::sin(17 * ofY - 8 * ofX));
+    };
+    const bool isNear = std::sin(14 * (x + 0.2 * u)) * std::sin(14 * (y + 0.2 * v)) > 0;
+    return isNear ? wall(x + 0.2 * u, y + 0.2 * v, c)
+                  : wall(2 * (x - 0.1 * u) + 1, 2 * (y - 0.1 * v), c + 2);
+  });
+}
+
 inline void writeGrey(const QString& file, int width, int height) {
   writeImageFile(file, width, height, [](int, int, int) { return 0.5F; });
 }

@@ -91,6 +91,18 @@ class Axis {
     return m_deviation > 0 ? hogelscope::standOut(m_differences, period) / m_deviation : 0;
   }
 
+  /// Returns how far the borders of a period stand out that are none of a multiple of it, in
+  /// standard errors.
+  [[nodiscard]] double standOutBeside(std::size_t period, std::size_t multiple) const {
+    std::vector<double> values, borders;
+    for (std::size_t k = 0; k < m_differences.size(); ++k)
+      if (k % multiple != multiple - 1)
+        (k % period == period - 1 ? borders : values).push_back(m_differences[k]);
+    if (borders.empty() || values.empty() || !(m_deviation > 0)) return 0;
+    return (meanOf(borders) - meanOf(values)) / m_deviation /
+           std::sqrt(1 / double(borders.size()) + 1 / double(values.size()));
+  }
+
   /// Returns the mean difference of values that are `shift` apart.
   [[nodiscard]] double difference(std::size_t shift) const {
     double sum = 0;
@@ -220,12 +232,12 @@ struct Tiles {
 };
 
 /// Returns the tiles along an axis. Multiples of the period are periods too, and a neighbouring
-/// divisor of the length is alike where content moves: of the clear periods the one counts whose
-/// borders stand out most, or the shortest if none does. A period of hogels is too short for a
-/// view.
+/// divisor of the length is alike where content moves: of the periods that are half as clear as the
+/// clearest the one counts whose borders stand out most, or the shortest of the clear ones if none
+/// does. A period of hogels is too short for a view.
 Tiles tilesAlong(const Axis& axis, const Progress& progress) {
   constexpr double least = 0.2;
-  constexpr double clear = 0.8;  // of the clearest
+  constexpr double half = 0.5;  // of the clearest
   constexpr std::size_t leastPeriod = 8;
   std::vector<std::pair<std::size_t, double>> periods;
   double clearest = least;
@@ -235,15 +247,20 @@ Tiles tilesAlong(const Axis& axis, const Progress& progress) {
     periods.emplace_back(period, likeness(axis, period));
     clearest = std::max(clearest, periods.back().second);
   }
-  std::erase_if(periods, [&](const auto& each) { return each.second < clear * clearest; });
+  std::erase_if(periods, [&](const auto& each) { return each.second < half * clearest; });
   if (periods.empty()) return {};
-  auto found = periods.front();
-  double most = 4;  // standard errors
+  // Multiples of a period are no more alike than itself.
+  constexpr double nearly = 0.9;
+  auto found = *std::ranges::find_if(
+      periods, [&](const auto& each) { return each.second >= nearly * clearest; });
+  constexpr double visible = 4;  // standard errors
+  double most = visible;
   for (const auto& each : periods)
     if (const double height = axis.standOut(each.first); height > most) most = height, found = each;
   // Borders that fall together with those of a codec's blocks stand out more than the others.
   for (const auto& each : periods)
-    if (found.first % each.first == 0 && axis.standOut(each.first) > most / 2) {
+    if (most > visible && found.first % each.first == 0 && each.first < found.first &&
+        axis.standOutBeside(each.first, found.first) > most / 2) {
       found = each;
       break;
     }
