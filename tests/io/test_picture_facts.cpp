@@ -348,7 +348,9 @@ class TestPictureFacts : public QObject {
     QCOMPARE(notesOf("b.tif"), std::string());
     writePages("c.tif", {{.width = 30, .height = 20}, {.width = 30, .height = 20}}, storedValue);
     QCOMPARE(notesOf("c.tif"),
-             std::string("has 2 pictures, of which one is read; layout \"views\" reads all"));
+             std::string(
+                 "has 2 pictures, of which one is read; the file by itself, as layout \"views\", "
+                 "has all"));
   }
 
   /// ImageJ and OME keep colours as pages of their own.

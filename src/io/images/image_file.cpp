@@ -10,6 +10,7 @@
 #include "core/base/error.h"
 #include "io/images/image_inputs.h"
 #include "io/images/matlab_file.h"
+#include "io/images/other_formats.h"
 #include "io/images/picture_facts.h"
 
 namespace hogelscope {
@@ -49,7 +50,9 @@ std::unique_ptr<ImageInput> openNamed(const fs::path& file) {
     return openPicture(file);
   } catch (const InputError&) {
     refuseMatlab(file);
-    throw;
+    const std::string advice = adviceOnFormat(file);
+    if (advice.empty()) throw;
+    throw InputError(file.string(), "", advice);
   }
 }
 
@@ -92,8 +95,9 @@ std::vector<std::string> ImageFile::notes() {
 std::vector<std::string> ImageFile::notesOfOne() {
   std::vector<std::string> lines = notes();
   if (frames() > 1)
-    lines.push_back("has " + std::to_string(frames()) +
-                    " pictures, of which one is read; layout \"views\" reads all");
+    lines.push_back(
+        "has " + std::to_string(frames()) +
+        " pictures, of which one is read; the file by itself, as layout \"views\", has all");
   return lines;
 }
 

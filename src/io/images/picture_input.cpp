@@ -16,7 +16,6 @@
 #include "io/files/isolated.h"
 #include "io/files/random_access_file.h"
 #include "io/images/exr_header.h"
-#include "io/images/other_formats.h"
 #include "io/images/video_format.h"
 
 namespace hogelscope {
@@ -190,8 +189,6 @@ class IsolatedInput : public ImageInput {
 std::unique_ptr<ImageInput> openPicture(const fs::path& file) {
   const std::string_view format = trustedFormatOf(file);
   if (format.empty()) {
-    if (const std::string advice = adviceOnFormat(file); !advice.empty())
-      throw InputError(file.string(), "", advice);
     (void)codecs();  // loaded once, here, and not by each copy
     return isolatedInput(file, [file, video = videoFormatOf(file)] {
       return video.empty() ? codecs().open(file, {}) : codecs().openVideo(file, video);
