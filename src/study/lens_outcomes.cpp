@@ -16,15 +16,19 @@ namespace {
 
 using Points = std::vector<Vec2>;
 
-/// Calls cv::undistortPoints for points of the plane z = 1.
+/// Calls cv::undistortPoints, or cv::fisheye::undistortPoints, for points of the plane z = 1.
 Points byOpenCv(const Distortion& lens, const Points& distorted, int iterations) {
-  const auto& [k1, k2, p1, p2, k3] = lens.params();
   std::vector<cv::Point2d> from;
   for (const Vec2& p : distorted) from.emplace_back(p.x, p.y);
   std::vector<cv::Point2d> to;
-  cv::undistortPoints(from, to, cv::Matx33d::eye(), cv::Vec<double, 5>(k1, k2, p1, p2, k3),
-                      cv::noArray(), cv::noArray(),
-                      cv::TermCriteria(cv::TermCriteria::COUNT, iterations, 0));
+  const std::vector<double> coefficients = vectorOf(lens.params());
+  const cv::TermCriteria steps(cv::TermCriteria::COUNT, iterations, 0);
+  if (lens.fisheye() != nullptr)
+    cv::fisheye::undistortPoints(from, to, cv::Matx33d::eye(), coefficients, cv::noArray(),
+                                 cv::noArray(), steps);
+  else
+    cv::undistortPoints(from, to, cv::Matx33d::eye(), coefficients, cv::noArray(), cv::noArray(),
+                        steps);
   Points ideal;
   for (const cv::Point2d& p : to) ideal.push_back({p.x, p.y});
   return ideal;

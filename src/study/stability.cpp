@@ -22,6 +22,20 @@ LensKey cameraWithCorner(const DistortionParams& distortion, double corner) {
   return key;
 }
 
+LensKey camera(const DistortionParams& lens, const std::array<int, 2>& res, const Vec2& focal,
+               const Vec2& centre) {
+  return {lens, LensMapping::exact, res, focal, centre, 1};
+}
+
+/// Coefficients in OpenCV's order.
+DistortionParams rational(const std::array<double, 8>& k) {
+  return {k[0], k[1], k[2], k[3], k[4], k[5], k[6], k[7], DistortionModel::rational};
+}
+
+DistortionParams fisheye(const std::array<double, 4>& k) {
+  return {k[0], k[1], 0, 0, k[2], k[3], 0, 0, DistortionModel::fisheye};
+}
+
 /// Returns the row of a lens that a method inverts; x and y are of lenses on a map.
 std::vector<std::string> rowOf(const std::string& kind, const std::string& lens, std::size_t method,
                                const LensOutcomes& o, const std::string& x, const std::string& y) {
@@ -48,7 +62,9 @@ void addRows(Table& table, const LensMap& map) {
 
 }  // namespace
 
-/// Returns the lenses; the paper's coefficients are those of data/table1.json.
+/// Returns the lenses; the paper's coefficients are those of data/table1.json. Those of cameras
+/// were published with them: Kinect in pointCloudGen/calib.md of panispani/3DReconstruct, OAK-D in
+/// a listing of its topic camera_info, TUM VI in the data set's camchain.
 std::vector<NamedLens> hardLenses() {
   const LensKey openCvs{{0.2958943955272433, -1.0354662043042675, 0, 0, 0},
                         LensMapping::exact,
@@ -61,7 +77,27 @@ std::vector<NamedLens> hardLenses() {
           {"paper Fig 3", paperCamera({0.6, 0.3, 0.2, 0.01, 0.2})},
           {"k1 -0.45 k2 0.25 to r_d 1.1336", cameraWithCorner({-0.45, 0.25, 0, 0, 0}, 1.1336)},
           {"k1 0.5 to r_d 3", cameraWithCorner({0.5, 0, 0, 0, 0}, 3)},
-          {"OpenCV samples/data/intrinsics.yml", openCvs}};
+          {"OpenCV samples/data/intrinsics.yml", openCvs},
+          {"Azure Kinect colour",
+           camera(rational({0.722746, -2.88559, 0.000783, -0.000143, 1.632723, 0.602199, -2.719626,
+                            1.565053}),
+                  {1920, 1080}, {904.141541, 903.521362}, {953.284424, 555.142456})},
+          {"Azure Kinect depth",
+           camera(rational({3.130577, 2.324939, 0.000081, -0.000051, 0.130416, 3.458652, 3.350115,
+                            0.662942}),
+                  {640, 576}, {503.927643, 503.978729}, {332.06427, 325.880615})},
+          {"OAK-D Lite colour",
+           camera(rational({-4.0933966636657715, 9.190781593322754, -0.0012543922057375312,
+                            -0.0010304413735866547, -8.917245864868164, -4.187956809997559,
+                            9.556831359863281, -9.303533554077148}),
+                  {250, 250}, {196.7876739501953, 196.7876739501953},
+                  {123.86207580566406, 127.05023193359375})},
+          {"TUM VI cam0", camera(fisheye({0.0034823894022493434, 0.0007150348452162257,
+                                           -0.0020532361418706202, 0.00020293673591811182}),
+                                  {512, 512}, {190.97847715128717, 190.9733070521226},
+                                  {254.93170605935475, 256.8974428996504})},
+          {"fisheye k1 0.1 to 85°", cameraWithCorner(fisheye({0.1, 0, 0, 0}), 1.81)},
+          {"fisheye k1 -0.3 to its fold", cameraWithCorner(fisheye({-0.3, 0, 0, 0}), 0.7)}};
 }
 
 Stability measureStability(const std::vector<NamedLens>& lenses, const ParallelRows& parallelRows,

@@ -55,8 +55,7 @@ Image undistortedByOpenCv(const Image& distorted, const CameraState& state) {
   const auto [fx, fy] = camera.focalLength();
   const auto [cx, cy] = camera.centre();
   const cv::Matx33d matrix(fx, 0, cx, 0, fy, cy, 0, 0, 1);
-  const auto& [k1, k2, p1, p2, k3] = state.distortion;
-  const cv::Vec<double, 5> lens(k1, k2, p1, p2, k3);
+  const std::vector<double> lens = vectorOf(state.distortion);
   Image result(distorted.width, distorted.height);
   const auto undistort = [&](const std::vector<std::uint8_t>& from, std::vector<std::uint8_t>& to,
                              int type) {
@@ -64,7 +63,10 @@ Image undistortedByOpenCv(const Image& distorted, const CameraState& state) {
     const cv::Mat in(distorted.height, distorted.width, type,
                      const_cast<std::uint8_t*>(from.data()));  // NOLINT(*-const-cast)
     cv::Mat out(distorted.height, distorted.width, type, to.data());
-    cv::undistort(in, out, matrix, lens);
+    if (state.distortion.model == DistortionModel::fisheye)
+      cv::fisheye::undistortImage(in, out, matrix, lens, matrix);
+    else
+      cv::undistort(in, out, matrix, lens);
   };
   undistort(distorted.rgb, result.rgb, CV_8UC3);
   undistort(distorted.seen, result.seen, CV_8UC1);

@@ -41,10 +41,9 @@ void lensTableBehindAFold(benchmark::State& state, const DistortionParams& lens,
 
 void lensTableOpenCv(benchmark::State& state) {
   const LensKey key = lensKey();
-  const auto& [k1, k2, p1, p2, k3] = key.distortion;
   const cv::Mat camera = (cv::Mat_<double>(3, 3) << key.focalLength.x, 0, key.centre.x, 0,
                           key.focalLength.y, key.centre.y, 0, 0, 1);
-  const cv::Mat coefficients = (cv::Mat_<double>(1, 5) << k1, k2, p1, p2, k3);
+  const std::vector<double> coefficients = vectorOf(key.distortion);
   std::vector<cv::Point2d> points;
   for (int y = 0; y < 600; ++y)
     for (int x = 0; x < 600; ++x) points.emplace_back(x, y);

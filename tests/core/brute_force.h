@@ -122,8 +122,17 @@ class Simulator {
       cy = given.cy > -1e7 ? given.cy : cy;
     }
     const LensOracle::Point q((px - cx) / fx, (py - cy) / fy);
-    const auto [k1, k2, p1, p2, k3] = m_job.state.distortion;
-    const LensOracle lens(k1, k2, p1, p2, k3);
+    const auto [k1, k2, p1, p2, k3, k4, k5, k6, model] = m_job.state.distortion;
+    if (model == hogelscope::DistortionModel::fisheye) {
+      const FisheyeOracle lens(k1, k2, k3, k4);
+      if (m_job.sampling.mapping == hogelscope::LensMapping::direct)
+        return along(lens.distort(q), from);
+      const LensOracle::Walk walk = lens.walk(q);
+      if (walk.end == LensOracle::Walk::End::unclear) return {Ray::Meets::unclear};
+      if (walk.end == LensOracle::Walk::End::fold) return {Ray::Meets::nothing};
+      return along(walk.point, from);
+    }
+    const LensOracle lens(k1, k2, p1, p2, k3, k4, k5, k6);
     if (m_job.sampling.mapping == hogelscope::LensMapping::direct)
       return along(lens.distort(q), from);
     const LensOracle::Walk walk = lens.walk(q, 0.05, 0.05);

@@ -100,7 +100,16 @@ inline hogelscope::IntrinsicsParams randomIntrinsics(Random& random,
 inline hogelscope::DistortionParams randomLens(Random& random) {
   if (random.integer(0, 4) == 0) return {};
   const auto k = [&](double limit) { return random.uniform(-limit, limit); };
-  return {k(0.8), k(0.8), k(0.2), k(0.2), k(0.8)};
+  hogelscope::DistortionParams lens{k(0.8), k(0.8), k(0.2), k(0.2), k(0.8)};
+  if (const int kind = random.integer(0, 3); kind == 0) {
+    lens.model = hogelscope::DistortionModel::rational;
+    lens.k4 = k(0.8), lens.k5 = k(0.8), lens.k6 = k(0.8);
+  } else if (kind == 1) {
+    lens.model = hogelscope::DistortionModel::fisheye;
+    lens.p1 = lens.p2 = 0;
+    lens.k4 = k(0.8);
+  }
+  return lens;
 }
 
 inline hogelscope::PsfParams randomPsf(Random& random) {

@@ -48,14 +48,13 @@ double worstDistance(const LensKey& key, const std::vector<Vec2>& a, const std::
 }
 
 std::vector<Vec2> raysOfOpenCv(const LensKey& key, int iterations) {
-  const auto& [k1, k2, p1, p2, k3] = key.distortion;
   const cv::Mat camera = (cv::Mat_<double>(3, 3) << key.focalLength.x, 0, key.centre.x, 0,
                           key.focalLength.y, key.centre.y, 0, 0, 1);
   std::vector<cv::Point2d> points;
   for (int y = 0; y < height; ++y)
     for (int x = 0; x < width; ++x) points.emplace_back(x, y);
   std::vector<cv::Point2d> ideal;
-  cv::undistortPoints(points, ideal, camera, std::vector<double>{k1, k2, p1, p2, k3}, cv::noArray(),
+  cv::undistortPoints(points, ideal, camera, vectorOf(key.distortion), cv::noArray(),
                       cv::noArray(), {cv::TermCriteria::COUNT, iterations, 0});
   std::vector<Vec2> rays;
   for (const cv::Point2d& p : ideal) rays.push_back({p.x, p.y});

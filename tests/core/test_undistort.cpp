@@ -421,7 +421,7 @@ void TestUndistort::sectorsAgreeWithTheWalk() {
     const LensOracle oracle = oracleOf(params);
     const double angle = random.uniform(0, turn);
     const double halfWidth = std::pow(10, random.uniform(-3.5, -0.5));
-    const LensSector sector = certifySector(params, angle, halfWidth);
+    const LensSector sector = certifySector(Distortion(params), angle, halfWidth);
     const LensOracle::Point side = std::polar(1.0, angle + (random.flip() ? 1 : -1) * halfWidth);
     // The walk goes by the determinant, which is then large enough for it to tell.
     const auto walked = [&](LensOracle::Point q) { return oracle.walk(q, 0.005); };
@@ -433,7 +433,7 @@ void TestUndistort::sectorsAgreeWithTheWalk() {
       ++rays;
       const auto walk = walked(inside);
       QVERIFY(reaches(walk, inside));
-      const Vec2 guess = guessInSector(params, sector, {inside.real(), inside.imag()});
+      const Vec2 guess = guessInSector(Distortion(params), sector, {inside.real(), inside.imag()});
       QVERIFY(std::hypot(guess.x, guess.y) <= sector.ideal);
       QVERIFY(std::abs(walk.point) < sector.ideal);
     }

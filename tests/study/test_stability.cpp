@@ -30,15 +30,18 @@ const LensKey& hardLens(std::size_t index) {
 
 /// How many points of the grid have a ray, by the slow walk.
 std::size_t raysByWalking(const LensKey& lens) {
-  const auto& [k1, k2, p1, p2, k3] = lens.distortion;
-  const LensOracle oracle(k1, k2, p1, p2, k3);
+  const auto& [k1, k2, p1, p2, k3, k4, k5, k6, model] = lens.distortion;
+  const LensOracle oracle(k1, k2, p1, p2, k3, k4, k5, k6);
+  const FisheyeOracle fisheye(k1, k2, k3, k4);
+  const auto walk = [&, isFisheye = model == DistortionModel::fisheye](LensOracle::Point q) {
+    return isFisheye ? fisheye.walk(q) : oracle.walk(q);
+  };
   std::size_t rays = 0;
   for (int row = 0; row < side; ++row) {
     for (int column = 0; column < side; ++column) {
       const double x = double(column) * (lens.res[0] - 1) / (side - 1) - lens.centre.x;
       const double y = double(row) * (lens.res[1] - 1) / (side - 1) - lens.centre.y;
-      if (oracle.walk({x / lens.focalLength.x, y / lens.focalLength.y}).end ==
-          LensOracle::Walk::End::ray)
+      if (walk({x / lens.focalLength.x, y / lens.focalLength.y}).end == LensOracle::Walk::End::ray)
         ++rays;
     }
   }

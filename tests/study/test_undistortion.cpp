@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Tests the straightening of distorted views by OpenCV: against the formula written out here, and
+// Tests the straightening of distorted views by OpenCV: against the lens model, and
 // against the views that the engine makes without the lens.
 #include "study/undistortion.h"
 
@@ -46,6 +46,7 @@ class TestUndistortion : public QObject {
   Q_OBJECT
 
  private Q_SLOTS:
+  void openCvsPicture_data();
   void openCvsPicture();
   void differenceIsOfPixelsSeenInBoth();
   void equalPictures();
@@ -54,18 +55,28 @@ class TestUndistortion : public QObject {
 
 /// A pixel of the straightened picture shows the distorted picture where the lens images it. The
 /// waves are smooth: their value at that place is the interpolated one.
+void TestUndistortion::openCvsPicture_data() {
+  QTest::addColumn<DistortionParams>("lens");
+  QTest::newRow("brown") << tangentialCamera().distortion;
+  QTest::newRow("rational") << DistortionParams{0.3, -0.2, 0.01, -0.02, 0.1,
+                                                0.2, 0.1,  0.05, DistortionModel::rational};
+  QTest::newRow("fisheye") << DistortionParams{0.05, -0.02, 0, 0, 0.01,
+                                               0.01, 0,     0, DistortionModel::fisheye};
+}
+
 void TestUndistortion::openCvsPicture() {
-  const CameraState state = tangentialCamera();
-  const auto [k1, k2, p1, p2, k3] = state.distortion;
+  CameraState state = tangentialCamera();
+  QFETCH(const DistortionParams, lens);
+  state.distortion = lens;
+  const Distortion model(lens);
   const auto [fx, fy, cx, cy] = state.intrinsics;
   const Image result = undistortedByOpenCv(waves(), state);
   int seen = 0;
   for (int py = 0; py < height; ++py) {
     for (int px = 0; px < width; ++px) {
-      const double x = (px - cx) / fx, y = (py - cy) / fy, r2 = x * x + y * y;
-      const double radial = 1 + k1 * r2 + k2 * r2 * r2 + k3 * r2 * r2 * r2;
-      const double qx = fx * (x * radial + 2 * p1 * x * y + p2 * (r2 + 2 * x * x)) + cx;
-      const double qy = fy * (y * radial + p1 * (r2 + 2 * y * y) + 2 * p2 * x * y) + cy;
+      const Vec2 q = model.distort({(px - cx) / fx, (py - cy) / fy});
+      const double qx = fx * q.x + cx;
+      const double qy = fy * q.y + cy;
       const auto at = std::size_t(py * width + px);
       const double margin = 0.05;  // OpenCV's places are rounded to a 32nd of a pixel
       if (qx < 20 - 1 - margin || qx > width - 1 + margin || qy < -margin ||

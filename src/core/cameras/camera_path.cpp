@@ -33,6 +33,20 @@ IntrinsicsParams givenIntrinsics(const CameraState& state) {
   return {camera.focalLength().x, camera.focalLength().y, camera.centre().x, camera.centre().y};
 }
 
+/// A lens of Brown and Conrady is a rational one too; a fisheye is neither.
+void mixLenses(DistortionParams& lens, const CameraState& to, double t) {
+  const auto isFisheye = [](const DistortionParams& p) {
+    return p.model == DistortionModel::fisheye;
+  };
+  if (isFisheye(lens) != isFisheye(to.distortion))
+    throw InputError(to.camera.name,
+                     "distortion.model: only one of two neighbouring states is a "
+                     "fisheye: there is no lens between them");
+  lens.model = std::max(lens.model, to.distortion.model);
+  for (const LensCoefficient& k : coefficientsOf(DistortionModel::rational))
+    lens.*k.value = std::lerp(lens.*k.value, to.distortion.*k.value, t);
+}
+
 /// std::lerp of equal numbers is exact, so equal lenses stay equal.
 CameraState between(const CameraState& from, const CameraState& to, double t) {
   CameraState state = from;
@@ -48,9 +62,7 @@ CameraState between(const CameraState& from, const CameraState& to, double t) {
   }
   mix(state.pupil.diameter, to.pupil.diameter), mix(state.pupil.focus, to.pupil.focus);
   mix(state.stereo.ipd, to.stereo.ipd);
-  auto& [k1, k2, p1, p2, k3] = state.distortion;
-  const DistortionParams& lens = to.distortion;
-  mix(k1, lens.k1), mix(k2, lens.k2), mix(p1, lens.p1), mix(p2, lens.p2), mix(k3, lens.k3);
+  mixLenses(state.distortion, to, t);
   mix(state.psf.sigma, to.psf.sigma);
   const double reach = std::lerp(from.psf.windowSize - 1, to.psf.windowSize - 1, t) / 2;
   state.psf.windowSize = 2 * int(std::lround(reach)) + 1;

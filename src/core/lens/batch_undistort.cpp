@@ -67,41 +67,70 @@ class Candidates {
       m_move;
 };
 
+/// Replaces distorted points of a fisheye. Newton's steps are made together for many points; those
+/// that it does not bring near a root before the lens' end are solved one by one.
+void undistortFisheye(const Fisheye& lens, double* x, double* y, int count) {
+  constexpr int steps = 6;
+  std::array<double, pointsAtOnce> distance, angle;
+  for (int first = 0; first < count; first += pointsAtOnce) {
+    const int n = std::min(pointsAtOnce, count - first);
+    for (int k = 0; k < n; ++k) {
+      const auto at = std::size_t(k);
+      const double px = x[first + k], py = y[first + k];
+      distance[at] = std::sqrt(px * px + py * py);
+      angle[at] = std::min(distance[at], lens.end());
+    }
+    for (int step = 0; step < steps; ++step)
+      for (std::size_t k = 0; k < std::size_t(n); ++k)
+        angle[k] -= (lens.distorted(angle[k]) - distance[k]) / lens.slope(angle[k]);
+    for (int k = 0; k < n; ++k) {
+      const auto at = std::size_t(k);
+      const double error = lens.distorted(angle[at]) - distance[at];
+      const bool isRoot =
+          angle[at] >= 0 && angle[at] < lens.end() && std::abs(error) <= 4e-16 * distance[at];
+      if (!isRoot) angle[at] = lens.angle(distance[at]);
+      const double factor = distance[at] > 0 ? std::tan(angle[at]) / distance[at] : 1;
+      x[first + k] *= factor;
+      y[first + k] *= factor;
+    }
+  }
+}
+
 }  // namespace
 
 /// Marches outwards as long as the least eigenvalue's bound, which changes by at most the second
 /// derivative's bound per length, stays positive.
 BatchUndistort::BatchUndistort(const Distortion& distortion, Progress progress)
     : m_distortion(distortion), m_progress(std::move(progress)), m_fans(distortion) {
-  constexpr double farthest = 100;  // beyond any image but those of nearly 180°
+  if (m_distortion.fisheye() != nullptr) return;
+  const double end = m_distortion.marchEnd();
   double radius = 0;
-  while (radius < farthest) {
+  while (radius < end) {
     throwIfCancelled(m_progress);
-    const double longest = std::min(0.2 * radius + 0.05, farthest - radius);
+    const double longest = std::min(0.2 * radius + 0.05, end - radius);
     const double step = m_distortion.safeStep(radius, 0.9 * leastEigenvalue(radius), longest);
     if (!(step > 1e-9 * (1 + radius))) break;
     radius += step;
   }
-  const auto& [k1, k2, p1, p2, k3] = m_distortion.params();
-  const double r2 = radius * radius;
   m_certainRadius = radius;
   // The least radial part of the model at that radius.
+  const DistortionParams& lens = m_distortion.params();
   m_certainDistorted = std::max(
-      0.0, radius * (1 + k1 * r2 + k2 * r2 * r2 + k3 * r2 * r2 * r2) - 3 * r2 * std::hypot(p1, p2));
+      0.0, m_distortion.radial(radius).value - 3 * radius * radius * std::hypot(lens.p1, lens.p2));
 }
 
 /// Returns a lower bound over the circle: along and across the radius for the radial terms, less
 /// 6 |(p1, p2)| r, the most that the tangential ones can subtract.
 double BatchUndistort::leastEigenvalue(double radius) const {
-  const auto& [k1, k2, p1, p2, k3] = m_distortion.params();
-  const double r2 = radius * radius;
-  const double across = 1 + r2 * (k1 + r2 * (k2 + r2 * k3));
-  const double along = 1 + r2 * (3 * k1 + r2 * (5 * k2 + r2 * 7 * k3));
-  return std::min(across, along) - 6 * std::hypot(p1, p2) * radius;
+  const RadialTerms radial = m_distortion.radial(radius);
+  const DistortionParams& lens = m_distortion.params();
+  return std::min(radial.across, radial.slope) - 6 * std::hypot(lens.p1, lens.p2) * radius;
 }
 
 void BatchUndistort::undistort(double* x, double* y, int count) const {
   if (m_distortion.isIdentity()) return;
+  if (m_distortion.fisheye() != nullptr)
+    return undistortFisheye(*m_distortion.fisheye(), x, y, count);
   for (int k = 0; k < count; k += pointsAtOnce)
     undistortBatch(x + k, y + k, std::min(pointsAtOnce, count - k));
 }
@@ -131,7 +160,7 @@ void BatchUndistort::undistortBatch(double* x, double* y, int count) const {
     const double distance = std::sqrt(squaredNorm(q));
     if (distance >= sector.dark) return setNone(k);
     if (distance > 0 && distance < sector.distorted)
-      candidates.add(k, guessInSector(lens, sector, q), sector.ideal);
+      candidates.add(k, guessInSector(m_distortion, sector, q), sector.ideal);
   });
   candidates.solve(lens, isDone);
   std::array<BranchLine, pointsAtOnce> start;

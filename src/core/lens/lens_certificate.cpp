@@ -57,15 +57,16 @@ void add(const LensKey& key, int y, const double* idealX, const double* idealY,
 }  // namespace
 
 double validRadius(const Distortion& distortion, const Progress& progress) {
-  constexpr double farthest = 100;
-  const DistortionParams& lens = distortion.params();
-  const int directions = lens.p1 == 0 && lens.p2 == 0 ? 1 : 720;  // 1: all are alike
-  double radius = farthest;
+  if (const Fisheye* lens = distortion.fisheye(); lens != nullptr)
+    return lens->folds() ? std::tan(lens->end()) : std::numeric_limits<double>::infinity();
+  const int directions = distortion.isRound() ? 1 : 720;  // 1: all are alike
+  double radius = distortion.marchEnd();
   for (int k = 0; k < directions; ++k) {
     const double angle = 2 * std::numbers::pi * k / directions;
     radius = std::min(radius, singularAt(distortion, angle, radius, progress));
   }
-  return radius < farthest ? radius : std::numeric_limits<double>::infinity();
+  if (radius < distortion.marchEnd()) return radius;
+  return distortion.pole() <= 100 ? distortion.pole() : std::numeric_limits<double>::infinity();
 }
 
 LensCertificate certify(const LensKey& lens, const ParallelRows& parallelRows,
@@ -91,7 +92,9 @@ LensCertificate certify(const LensKey& lens, const ParallelRows& parallelRows,
     all.withoutRay += part.withoutRay;
     all.pixels += part.pixels;
   });
-  all.validRadius = validRadius(Distortion(key.distortion), heard);
+  const Distortion distortion(key.distortion);
+  all.validRadius = validRadius(distortion, heard);
+  all.endsAtRightAngle = distortion.fisheye() != nullptr && !distortion.fisheye()->folds();
   all.reach = std::sqrt(all.reach);
   all.worstResidual = std::sqrt(all.worstResidual);
   return all;
@@ -111,7 +114,8 @@ std::string certificateText(const LensCertificate& certificate) {
                 "pixels have no ray",
                 certificate.reach, degrees(certificate.reach), certificate.worstResidual,
                 certificate.withoutRay, certificate.pixels);
-  return range + line.data();
+  if (!certificate.endsAtRightAngle || certificate.withoutRay == 0) return range + line.data();
+  return range + line.data() + ", since they would be 90° off the axis or more";
 }
 
 }  // namespace hogelscope

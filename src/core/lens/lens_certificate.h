@@ -16,6 +16,7 @@ struct LensCertificate {
   double worstResidual = 0;    ///< largest |model(ideal) - pixel|, in pixels; 0 for direct mapping
   std::size_t withoutRay = 0;  ///< pixels
   std::size_t pixels = 0;
+  bool endsAtRightAngle = false;  ///< a fisheye that does not fold before 90° off the axis
 };
 
 /// Certifies the rays of the pixels' centres, the same that images use. Throws Cancelled.

@@ -36,15 +36,13 @@ struct Share {
 }  // namespace
 
 LensFans::LensFans(const Distortion& distortion)
-    : m_distortion(distortion),
-      m_isRound(distortion.params().p1 == 0 && distortion.params().p2 == 0) {}
+    : m_distortion(distortion), m_isRound(distortion.isRound()) {}
 
 const LensSector& LensFans::sector(const Vec2& distorted) const {
   const Share share(m_isRound ? 0 : turnsOf(distorted), sectorCount);
   Sector& sector = m_sectors[std::size_t(share.index)];
   std::call_once(sector.isCertified, [&] {
-    sector.certain =
-        certifySector(m_distortion.params(), share.middle, m_isRound ? 0 : share.halfWidth);
+    sector.certain = certifySector(m_distortion, share.middle, m_isRound ? 0 : share.halfWidth);
   });
   return sector.certain;
 }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace hogelscope {
 
@@ -12,27 +13,6 @@ namespace {
 constexpr double farthest = 100;     // beyond any image but those of nearly 180°
 constexpr double leastStep = 1e-10;  // of a ring, relative to 1 + its radius
 
-/// The radial terms f(r) = r (1 + k1 r² + k2 r⁴ + k3 r⁶) near a radius.
-struct Radial {
-  double value;         ///< f
-  double slope;         ///< f'
-  double across;        ///< f / r
-  double slopeChange;   ///< f''
-  double acrossChange;  ///< (f / r)'
-  double slopeBend;     ///< f'''
-
-  Radial(const DistortionParams& lens, double r) {
-    const auto& [k1, k2, p1, p2, k3] = lens;
-    const double s = r * r;
-    across = 1 + s * (k1 + s * (k2 + s * k3));
-    value = r * across;
-    slope = 1 + s * (3 * k1 + s * (5 * k2 + s * 7 * k3));
-    slopeChange = r * (6 * k1 + s * (20 * k2 + s * 42 * k3));
-    acrossChange = r * (2 * k1 + s * (4 * k2 + s * 6 * k3));
-    slopeBend = 6 * k1 + s * (60 * k2 + s * 210 * k3);
-  }
-};
-
 /// Bounds of the radial terms over the ring of width `step` that begins at the radius `from`.
 struct Ring {
   double rounding;
@@ -40,15 +20,11 @@ struct Ring {
   double mostSlope;
   double leastAcross;
 
-  Ring(const DistortionParams& lens, const Radial& inner, double from, double step) {
-    const auto& [k1, k2, p1, p2, k3] = lens;
-    const double r = from + step;
-    const double s = r * r;
-    rounding = 1e-14 * (1 + s * (3 * std::abs(k1) + s * (5 * std::abs(k2) + s * 7 * std::abs(k3))) +
-                        6 * r * std::hypot(p1, p2));
-    const double bend =
-        std::abs(inner.slopeBend) + step * r * (120 * std::abs(k2) + 840 * std::abs(k3) * s);
-    const double acrossBend = 2 * std::abs(k1) + s * (12 * std::abs(k2) + s * 30 * std::abs(k3));
+  Ring(const Distortion& lens, const RadialTerms& inner, double from, double step) {
+    const RadialBounds bounds = lens.radialBounds(from, step);
+    const double bend = bounds.slopeBend;
+    const double acrossBend = bounds.acrossBend;
+    rounding = bounds.rounding;
     const auto fall = [step](double change, double bound) {
       return std::max(0.0, -change) * step + bound * step * step / 2;
     };
@@ -65,10 +41,11 @@ struct Tangential {
   double most;
   double mostChange;
 
-  Tangential(const DistortionParams& lens, double angle, double away) {
-    const double size = std::hypot(lens.p1, lens.p2);
-    const double value = lens.p2 * std::cos(angle) + lens.p1 * std::sin(angle);
-    const double change = std::abs(lens.p1 * std::cos(angle) - lens.p2 * std::sin(angle));
+  Tangential(const Distortion& lens, double angle, double away) {
+    const auto [p1, p2] = std::pair(lens.params().p1, lens.params().p2);
+    const double size = std::hypot(p1, p2);
+    const double value = p2 * std::cos(angle) + p1 * std::sin(angle);
+    const double change = std::abs(p1 * std::cos(angle) - p2 * std::sin(angle));
     const double range = away * change + away * away / 2 * size;
     least = value - range;
     most = value + range;
@@ -78,8 +55,8 @@ struct Tangential {
 
 /// Returns a bound of the angle between the directions of an ideal point and its distorted one;
 /// infinite if there is none.
-double mostTurn(const DistortionParams& lens, const Ring& ring, double r) {
-  const double size = r * std::hypot(lens.p1, lens.p2);
+double mostTurn(const Distortion& lens, const Ring& ring, double r) {
+  const double size = r * std::hypot(lens.params().p1, lens.params().p2);
   const double along = ring.leastAcross - 3 * size;
   return along > 0 ? size / along : std::numeric_limits<double>::infinity();
 }
@@ -87,9 +64,8 @@ double mostTurn(const DistortionParams& lens, const Ring& ring, double r) {
 /// Looks for an arc beyond `from`, up to which all is regular, that no path can cross, as the model
 /// does not grow along the radius there. Returns the largest distorted radius before it; infinite
 /// if none is found.
-double darkFrom(const DistortionParams& lens, double angle, double halfWidth, double away,
-                double from) {
-  const Radial inner(lens, from);
+double darkFrom(const Distortion& lens, double angle, double halfWidth, double away, double from) {
+  const RadialTerms inner = lens.radial(from);
   for (int doublings = 0; doublings < 30; ++doublings) {
     const double step = std::ldexp(leastStep * (1 + from), doublings);
     const double r = from + step;
@@ -97,7 +73,7 @@ double darkFrom(const DistortionParams& lens, double angle, double halfWidth, do
     const double turned = std::max(away, halfWidth + mostTurn(lens, ring, r));
     if (!std::isfinite(turned)) break;
     const Tangential c(lens, angle, turned);
-    if (Radial(lens, r).slope + 6 * r * c.most + ring.rounding > 0) continue;
+    if (lens.radial(r).slope + 6 * r * c.most + ring.rounding > 0) continue;
     const double growth = std::max(0.0, ring.mostSlope + 6 * r * std::max(0.0, c.most));
     const double along = inner.value + 3 * from * from * c.most + step * growth;
     return std::hypot(along, r * r * c.mostChange) + r * ring.rounding;
@@ -110,14 +86,14 @@ double darkFrom(const DistortionParams& lens, double angle, double halfWidth, do
 /// radius, are positive definite for all directions so near, it goes on to the end of the ring.
 class March {
  public:
-  March(const DistortionParams& lens, double angle, double halfWidth)
+  March(const Distortion& lens, double angle, double halfWidth)
       : m_lens(lens), m_angle(angle), m_halfWidth(halfWidth), m_away(halfWidth) {}
 
   LensSector run() {
     double step = 0.05;
     while (m_sector.ideal < farthest) {
       const double r = m_sector.ideal;
-      const Radial inner(m_lens, r);
+      const RadialTerms inner = m_lens.radial(r);
       step = std::min({2 * step, 0.2 * r + 0.05, farthest - r});
       while (!extend(inner, step)) {
         step /= 2;
@@ -131,7 +107,7 @@ class March {
 
  private:
   /// Returns whether the ring of this width is certain, and adds it then.
-  bool extend(const Radial& inner, double step) {
+  bool extend(const RadialTerms& inner, double step) {
     const double r = m_sector.ideal;
     const double end = r + step;
     const Ring ring(m_lens, inner, r, step);
@@ -146,11 +122,11 @@ class March {
     if (!(along > 0 && across > 0 && along * across > mixed * mixed)) return false;
     m_away = turned;
     m_sector.ideal = end;
-    m_sector.distorted = Radial(m_lens, end).value + 3 * end * end * c.least - end * ring.rounding;
+    m_sector.distorted = m_lens.radial(end).value + 3 * end * end * c.least - end * ring.rounding;
     return true;
   }
 
-  DistortionParams m_lens;
+  const Distortion& m_lens;
   double m_angle;
   double m_halfWidth;
   double m_away;
@@ -159,19 +135,20 @@ class March {
 
 }  // namespace
 
-LensSector certifySector(const DistortionParams& lens, double angle, double halfWidth) {
+LensSector certifySector(const Distortion& lens, double angle, double halfWidth) {
   return March(lens, angle, halfWidth).run();
 }
 
 /// Uses Newton's method along the radius, within bounds that contain the root.
-Vec2 guessInSector(const DistortionParams& lens, const LensSector& sector, const Vec2& distorted) {
+Vec2 guessInSector(const Distortion& lens, const LensSector& sector, const Vec2& distorted) {
   const double length = std::hypot(distorted.x, distorted.y);
-  const double c = (lens.p2 * distorted.x + lens.p1 * distorted.y) / length;
+  const auto [p1, p2] = std::pair(lens.params().p1, lens.params().p2);
+  const double c = (p2 * distorted.x + p1 * distorted.y) / length;
   double low = 0;
   double high = sector.ideal;
   double r = std::min(length, high / 2);
   for (int step = 0; step < 60; ++step) {
-    const Radial at(lens, r);
+    const RadialTerms at = lens.radial(r);
     const double error = at.value + 3 * r * r * c - length;
     (error < 0 ? low : high) = r;
     double next = r - error / (at.slope + 6 * r * c);

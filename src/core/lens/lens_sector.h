@@ -19,9 +19,9 @@ struct LensSector {
 
 /// Certifies the directions within `halfWidth` of `angle`, in some microseconds. It is useful if
 /// the tangential terms are small (docs/formulas.md, Distortion).
-LensSector certifySector(const DistortionParams& lens, double angle, double halfWidth);
+LensSector certifySector(const Distortion& lens, double angle, double halfWidth);
 
 /// Returns a point near the root of a distorted point that has one by its sector.
-Vec2 guessInSector(const DistortionParams& lens, const LensSector& sector, const Vec2& distorted);
+Vec2 guessInSector(const Distortion& lens, const LensSector& sector, const Vec2& distorted);
 
 }  // namespace hogelscope

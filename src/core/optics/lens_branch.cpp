@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace hogelscope {
 
@@ -158,10 +159,8 @@ class Place {
   /// Sets the second derivative: with h' the radial factor as a function of r²/2 it is h''' p p p,
   /// and the symmetric product of the unit matrix with h'' p + 2 (p2, p1).
   void setThird(const Vec2& ideal) {
-    const auto& [k1, k2, p1, p2, k3] = m_lens.params();
-    const double r2 = m_radius * m_radius;
-    const double h2 = 2 * k1 + r2 * (4 * k2 + r2 * 6 * k3);
-    const double h3 = 8 * k2 + r2 * 24 * k3;
+    const auto [h2, h3, h4] = m_lens.bends(m_radius);
+    const auto [p1, p2] = std::pair(m_lens.params().p1, m_lens.params().p2);
     const Vec2 p = turned(ideal);
     const Vec2 z = turned({h2 * ideal.x + 2 * p2, h2 * ideal.y + 2 * p1});
     m_vvv = h3 * p.x * p.x * p.x + 3 * z.x;

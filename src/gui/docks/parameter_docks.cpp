@@ -189,7 +189,19 @@ DistortionDock::DistortionDock(SessionModel* model, QAction* importAction, QWidg
   importButton->setDefaultAction(importAction);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
-  auto* form = stateForm(model, &CameraState::distortion);
+  auto* form = followingForm(
+      model,
+      [model](ParameterVisitor& visitor) {
+        model->editMarked([&](CameraState& state) {
+          const DistortionModel before = state.distortion.model;
+          describe(visitor, state.distortion);
+          if (state.distortion.model != before) state.distortion = ofItsModel(state.distortion);
+        });
+      },
+      [](ParameterVisitor& visitor) {
+        DistortionParams defaults;
+        describe(visitor, defaults);
+      });
   form->hideHeading();
   layout->addWidget(form);
   auto* buttons = new QHBoxLayout;
@@ -208,8 +220,11 @@ void DistortionDock::showLens(const CertifiedLens& lens) {
   const LensCertificate& certificate = lens.certificate;
   const double share = 100 * double(certificate.withoutRay) / double(certificate.pixels);
   const QString warning =
-      certificate.withoutRay == 0
-          ? QString()
+      certificate.withoutRay == 0 ? QString()
+      : certificate.endsAtRightAngle
+          ? tr("<b>⚠ %1 % of the pixels have no ray: they would be 90° off the axis or "
+               "more.</b><br>")
+                .arg(share, 0, 'f', 1)
           : tr("<b>⚠ %1 % of the pixels have no ray: the lens folds within the picture.</b><br>")
                 .arg(share, 0, 'f', 1);
   m_certificate->setText(

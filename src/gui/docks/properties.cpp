@@ -52,7 +52,7 @@ QStringList summariesOf(const Session& session, const CameraState& state) {
               : QFileInfo(QString::fromStdString(session.twinFile)).fileName(),
           QString::fromStdString(state.camera.name),
           eyesText(state),
-          state.distortion == DistortionParams() ? Properties::tr("off") : Properties::tr("on"),
+          state.distortion.isPinhole() ? Properties::tr("off") : Properties::tr("on"),
           state.psf.windowSize == 1
               ? Properties::tr("off")
               : Properties::tr("σ %1 · %2 px").arg(state.psf.sigma).arg(state.psf.windowSize),

@@ -210,7 +210,7 @@ void StateTable::fill(const ReportData& data, std::size_t test, std::size_t stat
   const CameraState& camera = data.session.cameras[state];
   setItem(at, sigma, settingCell(camera.psf.sigma, m_usualSigma));
   setItem(at, window, settingCell(camera.psf.windowSize, m_usualWindow));
-  const bool hasLens = camera.distortion != DistortionParams();
+  const bool hasLens = !camera.distortion.isPinhole();
   setItem(at, lens, numberCell(hasLens ? tr("yes") : "–", hasLens ? 1 : 0));
   setItem(at, distance, numberCell(text(rounded(eye.distance, 3)), eye.distance));
   setItem(at, angle, numberCell(text(rounded(eye.angle, 1)), eye.angle));

@@ -36,7 +36,7 @@ QString detailOf(const DisplayParams& display, const CameraState& state) {
   QString text = StateDock::tr("%1 m · %2°")
                      .arg(eye.distance, 0, 'f', 2)
                      .arg(QString::number(std::lround(eye.across)).replace('-', QChar(0x2212)));
-  if (state.distortion != DistortionParams{}) text += StateDock::tr(" · lens");
+  if (!state.distortion.isPinhole()) text += StateDock::tr(" · lens");
   if (state.psf.windowSize > 1) text += StateDock::tr(" · σ %1").arg(state.psf.sigma, 0, 'f', 2);
   return text;
 }
@@ -65,7 +65,7 @@ class StateRows : public QAbstractListModel {
     const CameraState& state = m_model->session().cameras[row];
     const EyePlace eye = eyePlaceOf(m_model->session().display, state.camera.eye);
     return {row < psnr.size() ? psnr[row] : NAN, state.psf.windowSize > 1 ? state.psf.sigma : NAN,
-            state.distortion != DistortionParams{} ? 1.0 : 0.0, eye.distance, eye.across};
+            state.distortion.isPinhole() ? 0.0 : 1.0, eye.distance, eye.across};
   }
 
   /// Follows any change. Rows that remain stay, because one may be open in its editor.
