@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <fstream>
+#include <span>
 
 #include "core/base/error.h"
 #include "core/base/text.h"
@@ -35,18 +36,18 @@ std::string rangeText(const Points& points, const PlaceOf& placeOf) {
 }
 
 std::string lensText(const FileCamera& camera) {
-  const std::string model = lensModelOf(camera);
+  std::string model = lensModelOf(camera);
+  if (model == "brown") model = "Brown–Conrady";
   std::string text =
       camera.model.empty() ? model : printable(camera.model) + (model.empty() ? "" : ", " + model);
+  std::span<const LensCoefficient> names;
   try {
-    (void)calibrationOf(camera);
+    names = coefficientsOf(calibrationOf(camera).distortion.model);
   } catch (const InputError&) {
     text += ", not modelled";
   }
-  constexpr std::array names{"k1", "k2", "p1", "p2", "k3"};
-  const bool isBrown = model == "Brown–Conrady" && camera.coefficients.size() <= names.size();
   for (std::size_t k = 0; k < camera.coefficients.size(); ++k)
-    text += (k == 0 ? ": " : ", ") + (isBrown ? std::string(names[k]) + " " : "") +
+    text += (k == 0 ? ": " : ", ") + (k < names.size() ? std::string(names[k].name) + " " : "") +
             numberText(camera.coefficients[k]);
   return text;
 }

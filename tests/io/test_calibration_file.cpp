@@ -26,7 +26,7 @@ void writeByOpenCv(const QString& file,
                    const Calibration& camera = {intrinsics, lens, {{640, 480}}},
                    int type = CV_64F) {
   const auto& [fx, fy, cx, cy] = camera.intrinsics;
-  const auto& [k1, k2, p1, p2, k3] = camera.distortion;
+  const auto& [k1, k2, p1, p2, k3, k4, k5, k6, model] = camera.distortion;
   cv::Mat k = (cv::Mat_<double>(3, 3) << fx, 0, cx, 0, fy, cy, 0, 0, 1);
   cv::Mat d = (cv::Mat_<double>(5, 1) << k1, k2, p1, p2, k3);
   k.convertTo(k, type);
@@ -202,8 +202,8 @@ void TestCalibrationFile::isRefused_data() {
       "intrinsics.fx: -500.0 is out of range: 0.001 to 1e+08 px");
   add("three coefficients", json(plainMatrix, "[0, 0, 0]"),
       "distortion_coefficients: are fewer than k1, k2, p1, p2");
-  add("rational model", json(plainMatrix, "[0, 0, 0, 0, 0, 0.5, 0, 0]"),
-      "distortion_coefficients: are more than k1, k2, p1, p2, k3; calibrate without the rational, "
+  add("thin prism", json(plainMatrix, "[0, 0, 0, 0, 0, 0.5, 0, 0, 0.1, 0, 0, 0]"),
+      "distortion_coefficients: are more than the 8 of the rational model; calibrate without the "
       "thin prism and tilted models");
   add("out of range", json(plainMatrix, "[0, 35, 0, 0]"),
       "distortion.k2: 35.0 is out of range: -10 to 10");

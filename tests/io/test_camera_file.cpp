@@ -162,6 +162,8 @@ class TestCameraFile : public QObject {
   void formats();
   void sizes_data();
   void sizes();
+  void rationalAndFisheye_data();
+  void rationalAndFisheye();
   void modelsByName_data();
   void modelsByName();
   void mistakes_data();
@@ -324,55 +326,73 @@ void TestCameraFile::modelsByName_data() {
   const auto row = [](const char* name, const QByteArray& content, const char* line) {
     QTest::newRow(name) << content << QByteArray("k: ") + line;
   };
-  const char* more = " that is not modelled; calibrate with k1, k2, p1, p2, k3 (Brown–Conrady)";
-  const auto fisheye = [&](const char* begin) {
-    return QByteArray(begin) + "is a fisheye lens" + more;
-  };
+  const char* more =
+      " that is not modelled; calibrate with k1, k2, p1, p2, k3 (Brown–Conrady), the rational or "
+      "the fisheye model";
   const QByteArray four = "data: [0.1, -0.2, 0.003, 0.004]";
-  row("OpenCV's YAML with ROS's field",
-      "%YAML:1.0\n---\n" + QByteArray(rosFile).replace("plumb_bob", "equidistant"),
-      fisheye("distortion_model: \"equidistant\" "));
-  row("ROS", QByteArray(rosFile).replace("plumb_bob", "equidistant"),
-      fisheye("distortion_model: \"equidistant\" "));
-  row("ROS, rational",
-      QByteArray(rosFile)
-          .replace("plumb_bob", "rational_polynomial")
-          .replace("0.05]", "0.05, 1, 2, 3]"),
-      (QByteArray("distortion_model: \"rational_polynomial\" is a rational lens") + more)
-          .constData());
   row("ROS, thin prism", QByteArray(rosFile).replace("plumb_bob", "thin_prism"),
       (QByteArray("distortion_model: \"thin_prism\" is a lens model") + more).constData());
-  row("OpenCV's sample",
-      "%YAML:1.0\nfisheye_model: 1\nK: " + plainK +
-          "\n"
-          "D: [0, 0, 0, 0]\n",
-      fisheye("fisheye_model: \"fisheye\" "));
-  row("Kalibr's equidistant", "cam0:\n" + kalibr("pinhole", "equidistant"),
-      fisheye("cam0.distortion_model: \"equidistant\" "));
   row("Kalibr's omni", "cam0:\n" + kalibr("omni", "radtan"),
       (QByteArray("cam0.camera_model: \"omni\" is a lens model") + more).constData());
   row("a name of nobody", R"({"model": "swirl", "K": )" + plainK + R"(, "D": [0, 0, 0, 0]})",
       (QByteArray("model: \"swirl\" is a lens model") + more).constData());
-  row("COLMAP's fisheye", "1 OPENCV_FISHEYE 640 480 500 510 320 240 0 0 0 0\n",
-      fisheye("camera 1: \"OPENCV_FISHEYE\" "));
   row("COLMAP's field of view", "1 FOV 640 480 500 510 320 240 0.9\n",
       (QByteArray("camera 1: \"FOV\" is a lens model") + more).constData());
   const QByteArray transforms = R"({"fl_x": 500, "w": 640, "h": 480, %, "frames": []})";
-  row("nerfstudio's fisheye",
-      QByteArray(transforms).replace("%", R"("camera_model": "OPENCV_FISHEYE")"),
-      fisheye("camera_model: \"OPENCV_FISHEYE\" "));
-  row("instant-ngp's fisheye", QByteArray(transforms).replace("%", R"("is_fisheye": true)"),
-      fisheye("is_fisheye: \"fisheye\" "));
   row("nerfstudio's fourth coefficient", QByteArray(transforms).replace("%", R"("k4": 0.1)"),
-      "distortion: are more than k1, k2, p1, p2, k3; calibrate without the rational, thin prism "
-      "and "
+      "distortion: are more than the 5 of the brown model; calibrate without the thin prism and "
       "tilted models");
   row("glTF, orthographic", R"({"asset": {"version": "2.0"}, "cameras": [{"type": "orthographic",
       "orthographic": {}}]})",
       (QByteArray("cameras[0].type: \"orthographic\" is a lens model") + more).constData());
 }
 
-/// What is not Brown's is refused by its name, but --info can say what it is.
+/// Coefficients stand in the order of the model that the file names.
+void TestCameraFile::rationalAndFisheye_data() {
+  QTest::addColumn<QByteArray>("content");
+  QTest::addColumn<DistortionParams>("lens");
+  const DistortionParams four{0.1, -0.2, 0, 0, 0.003, 0.004, 0, 0, DistortionModel::fisheye};
+  const auto fisheye = [](const QByteArray& file) {
+    return QByteArray(file)
+        .replace("plumb_bob", "equidistant")
+        .replace("cols: 5", "cols: 4")
+        .replace(", 0.05]", "]");
+  };
+  QTest::newRow("OpenCV's YAML with ROS's field") << "%YAML:1.0\n---\n" + fisheye(rosFile) << four;
+  QTest::newRow("ROS") << fisheye(rosFile) << four;
+  QTest::newRow("ROS, rational") << QByteArray(rosFile)
+                                        .replace("plumb_bob", "rational_polynomial")
+                                        .replace("cols: 5", "cols: 8")
+                                        .replace("0.05]", "0.05, 1, 2, 3]")
+                                 << DistortionParams{0.1,   -0.2, 0.003,
+                                                     0.004, 0.05, 1,
+                                                     2,     3,    DistortionModel::rational};
+  QTest::newRow("OpenCV's sample")
+      << "%YAML:1.0\nfisheye_model: 1\nK: " + plainK + "\nD: [0.1, -0.2, 0.003, 0.004]\n"
+      << four;
+  QTest::newRow("OpenCV's vector of eight")
+      << R"({"K": )" + plainK + R"(, "D": [0.1, 0.2, 0.003, 0.004, 0.5, 0.6, 0.7, 0.8]})"
+      << DistortionParams{0.1, 0.2, 0.003, 0.004, 0.5, 0.6, 0.7, 0.8, DistortionModel::rational};
+  QTest::newRow("Kalibr's equidistant") << "cam0:\n" + kalibr("pinhole", "equidistant") << four;
+  QTest::newRow("COLMAP's fisheye")
+      << QByteArray("1 OPENCV_FISHEYE 640 480 500 510 320 240 0.1 -0.2 0.003 0.004\n") << four;
+  const QByteArray transforms =
+      R"({"fl_x": 500, "w": 640, "h": 480, "k1": 0.1, "k2": -0.2, "k3": 0.003, "k4": 0.004, %, )"
+      R"("frames": []})";
+  QTest::newRow("nerfstudio's fisheye")
+      << QByteArray(transforms).replace("%", R"("camera_model": "OPENCV_FISHEYE")") << four;
+  QTest::newRow("instant-ngp's fisheye")
+      << QByteArray(transforms).replace("%", R"("is_fisheye": true)") << four;
+}
+
+void TestCameraFile::rationalAndFisheye() {
+  QFETCH(QByteArray, content);
+  QFETCH(DistortionParams, lens);
+  writeFile("k", content);
+  QVERIFY(loadCalibration("k").distortion == lens);
+}
+
+/// What is not modelled is refused by its name, but --info can say what it is.
 void TestCameraFile::modelsByName() {
   QFETCH(QByteArray, content);
   QFETCH(QByteArray, line);

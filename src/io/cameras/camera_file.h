@@ -53,7 +53,7 @@ CameraFile readCameraFile(const std::filesystem::path& file, CameraUse use);
 std::string lensModelOf(const FileCamera& camera);
 
 /// Returns what the camera gives to states. Throws InputError that names the lens model if it is
-/// not Brown's with k1, k2, p1, p2, k3, and if a value is out of its range.
+/// none of distortionModelNames(), and if a value is out of its range.
 Calibration calibrationOf(const FileCamera& camera);
 
 /// Returns the cameras for states, `camera` alone if it is not "". Throws InputError likewise.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The lens models that files name, and what is modelled of them.
 #include <algorithm>
+#include <array>
 
 #include "core/base/error.h"
 #include "core/base/text.h"
@@ -10,8 +11,10 @@ namespace hogelscope {
 
 namespace {
 
-constexpr const char* brown = "Brown–Conrady";
-constexpr const char* rational = "rational";
+// As distortionModelNames() has them.
+constexpr const char* brownModel = "brown";
+constexpr const char* rationalModel = "rational";
+constexpr const char* fisheyeModel = "fisheye";
 
 struct LensName {
   std::string_view plain;  ///< as plainKey() gives it
@@ -20,38 +23,38 @@ struct LensName {
 
 /// The names of the models that OpenCV, ROS, Kalibr, COLMAP, nerfstudio and others write. Those of
 /// a pinhole stand for Brown's model without coefficients.
-constexpr LensName lensNames[]{{"", brown},
-                               {"plumbbob", brown},
-                               {"radtan", brown},
-                               {"radialtangential", brown},
-                               {"brown", brown},
-                               {"brownconrady", brown},
-                               {"opencv", brown},
-                               {"standard", brown},
-                               {"pinhole", brown},
-                               {"simplepinhole", brown},
-                               {"simpleradial", brown},
-                               {"radial", brown},
-                               {"perspective", brown},
-                               {"none", brown},
-                               {"pinholeradtan", brown},
-                               {"pinholeradialtangential", brown},
-                               {"radtan4", brown},
-                               {"radtan5", brown},
-                               {"radtan8", rational},
-                               {"rationalpolynomial", rational},
-                               {"rational", rational},
-                               {"fullopencv", rational},
-                               {"equidistant", "fisheye"},
-                               {"equi", "fisheye"},
-                               {"fisheye", "fisheye"},
-                               {"fisheye4", "fisheye"},
-                               {"kannalabrandt", "fisheye"},
-                               {"kannalabrandt4", "fisheye"},
-                               {"kannalabrandt8", "fisheye"},
-                               {"kb4", "fisheye"},
-                               {"kb8", "fisheye"},
-                               {"opencvfisheye", "fisheye"}};
+constexpr LensName lensNames[]{{"", brownModel},
+                               {"plumbbob", brownModel},
+                               {"radtan", brownModel},
+                               {"radialtangential", brownModel},
+                               {"brown", brownModel},
+                               {"brownconrady", brownModel},
+                               {"opencv", brownModel},
+                               {"standard", brownModel},
+                               {"pinhole", brownModel},
+                               {"simplepinhole", brownModel},
+                               {"simpleradial", brownModel},
+                               {"radial", brownModel},
+                               {"perspective", brownModel},
+                               {"none", brownModel},
+                               {"pinholeradtan", brownModel},
+                               {"pinholeradialtangential", brownModel},
+                               {"radtan4", brownModel},
+                               {"radtan5", brownModel},
+                               {"radtan8", rationalModel},
+                               {"rationalpolynomial", rationalModel},
+                               {"rational", rationalModel},
+                               {"fullopencv", rationalModel},
+                               {"equidistant", fisheyeModel},
+                               {"equi", fisheyeModel},
+                               {"fisheye", fisheyeModel},
+                               {"fisheye4", fisheyeModel},
+                               {"kannalabrandt", fisheyeModel},
+                               {"kannalabrandt4", fisheyeModel},
+                               {"kannalabrandt8", fisheyeModel},
+                               {"kb4", fisheyeModel},
+                               {"kb8", fisheyeModel},
+                               {"opencvfisheye", fisheyeModel}};
 
 }  // namespace
 
@@ -61,30 +64,40 @@ std::string lensModelOf(const FileCamera& camera) {
 }
 
 Calibration calibrationOf(const FileCamera& camera) {
-  const std::string model = lensModelOf(camera);
-  const std::vector<double>& d = camera.coefficients;
-  constexpr std::ptrdiff_t ofBrown = 5;
-  const bool hasMore = std::ssize(d) > ofBrown &&
-                       std::any_of(d.begin() + ofBrown, d.end(), [](double k) { return k != 0; });
-  // A rational lens whose further coefficients are 0 is Brown's; a fisheye lens never is.
-  if (model != brown && (model != rational || hasMore))
+  std::string model = lensModelOf(camera);
+  std::vector<double> d = camera.coefficients;
+  while (!d.empty() && d.back() == 0) d.pop_back();
+  constexpr std::size_t ofBrown = 5;
+  // OpenCV's own files name no model: a vector of 8, 12 or 14 begins with the rational one's.
+  static constexpr std::array<std::size_t, 3> ofRational{8, 12, 14};
+  const bool isOpenCvs = camera.model.empty() && camera.lensPath == "distortion_coefficients" &&
+                         std::ranges::count(ofRational, camera.coefficients.size()) > 0;
+  if (isOpenCvs && d.size() > ofBrown) model = rationalModel;
+  const auto names = distortionModelNames();
+  const auto found = std::ranges::find(names, model);
+  if (found == names.end())
     throw InputError(camera.modelKey,
                      valueText(camera.model) + " is " +
                          (model.empty() ? "a lens model" : "a " + model + " lens") +
                          " that is not modelled; calibrate with k1, k2, p1, p2, k3 "
-                         "(Brown–Conrady)");
-  if (!d.empty() && d.size() < 4)
-    throw InputError(camera.lensPath, "are fewer than k1, k2, p1, p2");
-  if (hasMore)
+                         "(Brown–Conrady), the rational or the fisheye model");
+  const auto own = coefficientsOf(DistortionModel(found - names.begin()));
+  if (!camera.coefficients.empty() && camera.coefficients.size() < 4)
     throw InputError(camera.lensPath,
-                     "are more than k1, k2, p1, p2, k3; calibrate without the rational, thin prism "
-                     "and tilted models");
-  const auto at = [&d](std::size_t k) { return k < d.size() ? d[k] : 0.0; };
-  const Json values{{"k1", at(0)}, {"k2", at(1)}, {"p1", at(2)}, {"p2", at(3)}, {"k3", at(4)}};
+                     std::string("are fewer than ") +
+                         (model == fisheyeModel ? "k1, k2, k3, k4" : "k1, k2, p1, p2"));
+  if (d.size() > own.size())
+    throw InputError(camera.lensPath,
+                     "are more than the " + std::to_string(own.size()) + " of the " + model +
+                         " model; calibrate without the thin prism and tilted models");
+  Json values{{"model", model}};
+  for (std::size_t k = 0; k < d.size(); ++k) values[own[k].name] = d[k];
   Calibration calibration = camera.calibration;
   JsonReader reader(values,
                     camera.lensPath == "distortion_coefficients" ? "distortion" : camera.lensPath);
   describe(reader, calibration.distortion);
+  if (model == rationalModel && d.size() <= ofBrown)
+    calibration.distortion.model = DistortionModel::brown;
   return calibration;
 }
 

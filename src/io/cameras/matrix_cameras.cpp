@@ -192,7 +192,7 @@ void takeModel(const Json& object, FileCamera& camera) {
   camera.model = textOf(object, modelNames, &camera.modelKey);
   FileCamera whole;
   whole.model = textOf(object, {"cameramodel"}, &whole.modelKey);
-  if (camera.model.empty() || lensModelOf(whole) != "Brown–Conrady") {
+  if (camera.model.empty() || lensModelOf(whole) != "brown") {
     if (!whole.model.empty()) {
       camera.model = whole.model;
       camera.modelKey = whole.modelKey;
