@@ -67,7 +67,7 @@ void TestStabilityJob::writesItsFiles() {
   const QStringList cameras{"--calibrations", "list.json"};
   const Outcome one = run(stability(cameras), ".");
   QCOMPARE(one.err, QByteArray());
-  QCOMPARE(one.out, QByteArray("8 lens(es) and two maps in out/stability.csv and "
+  QCOMPARE(one.out, QByteArray("14 lens(es) and two maps in out/stability.csv and "
                                "out/stability.png\n2 lens(es) of the calibrations, pixel by "
                                "pixel, in out/lenses.png\n"));
   QCOMPARE(one.status, 0);
@@ -82,7 +82,7 @@ void TestStabilityJob::writesItsFiles() {
   QVERIFY(size.height() > 1000);
   const QList<QByteArray> lines = table.split('\n');
   for (int method = 0; method < 5; ++method) {
-    const QStringList row = cellsOf(lines[1 + 6 * 5 + method]);  // after the six hard lenses
+    const QStringList row = cellsOf(lines[1 + 12 * 5 + method]);  // after the twelve hard lenses
     QCOMPARE(row[1], QString("a, b"));
     QCOMPARE(blueOnes(method), row[4].toInt());
   }

@@ -260,6 +260,7 @@ Tiles tilesAlong(const Axis& axis, const Progress& progress) {
   // Borders that fall together with those of a codec's blocks stand out more than the others.
   for (const auto& each : periods)
     if (most > visible && found.first % each.first == 0 && each.first < found.first &&
+        each.second >= nearly * found.second &&
         axis.standOutBeside(each.first, found.first) > most / 2) {
       found = each;
       break;
