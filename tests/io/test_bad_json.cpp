@@ -135,8 +135,8 @@ void TestBadJson::structure_data() {
             "sampling.samples_per_pixel: is not known here; did you mean \"samplesPerPixel\"?");
   refusedIn("unknown state field", state(R"("lookAt": [0, 0, 0])"),
             "cameras[0].lookAt: is not known here; did you mean \"lookat\"?");
-  refusedIn("unknown distortion field", state(R"("distortion": {"k4": 0})"),
-            "cameras[0].distortion.k4: is not known here; did you mean \"k1\"?");
+  refusedIn("unknown distortion field", state(R"("distortion": {"k7": 0})"),
+            "cameras[0].distortion.k7: is not known here; did you mean \"k1\"?");
   refusedIn("unknown psf field", state(R"("psf": {"window": 3})"),
             "cameras[0].psf.window: is not known here; known are sigma, windowSize, border, light");
   refusedIn(

@@ -179,7 +179,7 @@ void TestSessionFile::unknownKeys_data() {
   row("lightField.flie", "file", {.lightField = R"({"flie": "x"})"});
   row("sampling.reconstuction", "reconstruction", {.sampling = R"({"reconstuction": "nearest"})"});
   row("cameras[1].lookAt", "lookat", {.cameras = R"([{"name": "a"}, {"name": "b", "lookAt": 1}])"});
-  row("cameras[0].distortion.k4", "k1", {.cameras = R"([{"name": "a", "distortion": {"k4": 0}}])"});
+  row("cameras[0].distortion.k7", "k1", {.cameras = R"([{"name": "a", "distortion": {"k7": 0}}])"});
   row("cameras[0].psf.windowsize", "windowSize",
       {.cameras = R"([{"name": "a", "psf": {"windowsize": 3}}])"});
 }
