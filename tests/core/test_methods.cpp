@@ -54,8 +54,8 @@ std::vector<Vec2> raysOfOpenCv(const LensKey& key, int iterations) {
   for (int y = 0; y < height; ++y)
     for (int x = 0; x < width; ++x) points.emplace_back(x, y);
   std::vector<cv::Point2d> ideal;
-  cv::undistortPoints(points, ideal, camera, vectorOf(key.distortion), cv::noArray(),
-                      cv::noArray(), {cv::TermCriteria::COUNT, iterations, 0});
+  cv::undistortPoints(points, ideal, camera, vectorOf(key.distortion), cv::noArray(), cv::noArray(),
+                      {cv::TermCriteria::COUNT, iterations, 0});
   std::vector<Vec2> rays;
   for (const cv::Point2d& p : ideal) rays.push_back({p.x, p.y});
   return rays;

@@ -368,7 +368,7 @@ void TestCameraFile::rationalAndFisheye_data() {
                                                      0.004, 0.05, 1,
                                                      2,     3,    DistortionModel::rational};
   QTest::newRow("OpenCV's sample")
-      << "%YAML:1.0\nfisheye_model: 1\nK: " + plainK + "\nD: [0.1, -0.2, 0.003, 0.004]\n"
+      << "%YAML:1.0\nfisheye_model: 1\nK: " + plainK + "\n" + "D: [0.1, -0.2, 0.003, 0.004]\n"
       << four;
   QTest::newRow("OpenCV's vector of eight")
       << R"({"K": )" + plainK + R"(, "D": [0.1, 0.2, 0.003, 0.004, 0.5, 0.6, 0.7, 0.8]})"

@@ -58,10 +58,10 @@ class TestUndistortion : public QObject {
 void TestUndistortion::openCvsPicture_data() {
   QTest::addColumn<DistortionParams>("lens");
   QTest::newRow("brown") << tangentialCamera().distortion;
-  QTest::newRow("rational") << DistortionParams{0.3, -0.2, 0.01, -0.02, 0.1,
-                                                0.2, 0.1,  0.05, DistortionModel::rational};
-  QTest::newRow("fisheye") << DistortionParams{0.05, -0.02, 0, 0, 0.01,
-                                               0.01, 0,     0, DistortionModel::fisheye};
+  QTest::newRow("rational") << DistortionParams{
+      0.3, -0.2, 0.01, -0.02, 0.1, 0.2, 0.1, 0.05, DistortionModel::rational};
+  QTest::newRow("fisheye") << DistortionParams{
+      0.05, -0.02, 0, 0, 0.01, 0.01, 0, 0, DistortionModel::fisheye};
 }
 
 void TestUndistortion::openCvsPicture() {

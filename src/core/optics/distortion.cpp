@@ -88,7 +88,7 @@ void describe(ParameterVisitor& v, DistortionParams& p) {
   const double most = rowOf(model).mostSize;
   const auto coefficient = [&](const char* name, double& value, double usual, const char* help) {
     const auto isIt = [name](const LensCoefficient& k) { return name == std::string_view(k.name); };
-    v.count(std::ranges::any_of(coefficientsOf(model), isIt));
+    v.count(std::ranges::any_of(coefficientsOf(p.model), isIt));
     v.field(name, value, {-most, most, 0.001, false, -usual, usual}, "", help);
   };
   coefficient("k1", k1, 1, "Radial, r²: below 0 barrel, above 0 pincushion.");
