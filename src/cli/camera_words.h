@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What --info says of files of cameras and of viewers' traces.
+// Says what files of cameras and viewers' traces have, for --info.
 #pragma once
 
 #include <ostream>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the gaps between running numbers of views mean. All functions take the numbers ascending,
+// Says what the gaps between running numbers of views mean. All functions take the numbers ascending,
 // each once, at least one, none negative.
 #pragma once
 

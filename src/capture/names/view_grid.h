@@ -48,7 +48,7 @@ struct ViewFiles {
   /// A warning if the session gives another grid than the names; otherwise "".
   std::string ignored;
   bool isCounted = false;  ///< one running number, whose order LightFieldParams::scan gives
-  /// So many running numbers are missing that their grid is hardly more than a guess.
+  /// Whether so many running numbers are missing that their grid is hardly more than a guess.
   bool isLoose = false;
   std::vector<std::string> others;  ///< names of the folder's files that are not views
   /// Those of them whose names are those of views, but not their sizes, such as "208 pictures of

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Where a polynomial of one number changes its sign.
+// Finds where a polynomial of one number changes its sign.
 #pragma once
 
 #include <vector>

@@ -11,7 +11,7 @@
 
 namespace hogelscope {
 
-/// What a calibrated camera gives to a state.
+/// A calibrated camera gives these to a state.
 struct Calibration {
   IntrinsicsParams intrinsics;  ///< px, pixel centres at integers
   DistortionParams distortion;

@@ -34,7 +34,7 @@ struct CameraFile {
   std::vector<std::string> notes{};  ///< what was guessed, and what the file has that is not used
 };
 
-/// What is wanted of a file: of COLMAP's the cameras themselves, or each image with its pose.
+/// Says what a file of COLMAP's is read for: the cameras themselves, or each image's pose.
 enum class CameraUse { lens, poses };
 
 /// Whether a file has cameras in a form that is known. Large files of pictures are not read for it.
