@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Says what the gaps between running numbers of views mean. All functions take the numbers ascending,
-// each once, at least one, none negative.
+// Says what the gaps between running numbers of views mean. All functions take the numbers
+// ascending, each once, at least one, none negative.
 #pragma once
 
 #include <cstdint>
