@@ -7,6 +7,7 @@
 #include <opencv2/calib3d.hpp>
 
 #include "core/base/error.h"
+#include "core/cameras/camera_path.h"
 #include "core/lens/batch_undistort.h"
 #include "core/lens/lens_certificate.h"
 #include "core/optics/distortion.h"
@@ -154,6 +155,8 @@ class TestCameraModels : public QObject {
   void manyPointsAreAsEach();
   void openCvGivesThePixelsOfTheRays();
   void otherModelsCoefficientsAreRefused();
+  void aChangeOfModelKeepsWhatItCan();
+  void noLensIsBetweenAFisheyeAndAnother();
 };
 
 void TestCameraModels::formulasAreOpenCvs() {
@@ -391,6 +394,27 @@ void TestCameraModels::otherModelsCoefficientsAreRefused() {
   QVERIFY(!DistortionParams{.model = DistortionModel::fisheye}.isPinhole());
   p.p1 = 0.1;
   QVERIFY_THROWS_EXCEPTION(InputError, check(p));
+}
+
+void TestCameraModels::aChangeOfModelKeepsWhatItCan() {
+  const DistortionParams all{50, -20, 3, 4, 5, 6, 7, 8, DistortionModel::rational};
+  DistortionParams p = all;
+  p.model = DistortionModel::fisheye;
+  QVERIFY((ofItsModel(p) == DistortionParams{50, -20, 0, 0, 5, 6, 0, 0, DistortionModel::fisheye}));
+  p.model = DistortionModel::brown;
+  QVERIFY((ofItsModel(p) == DistortionParams{10, -10, 3, 4, 5}));
+  QVERIFY(ofItsModel(all) == all);
+}
+
+void TestCameraModels::noLensIsBetweenAFisheyeAndAnother() {
+  std::vector<CameraState> states(2);
+  states[0].distortion.k1 = 0.2;
+  states[1].distortion = {0.4, 0, 0, 0, 0, 0.1, 0, 0, DistortionModel::rational};
+  const DistortionParams half{0.3, 0, 0, 0, 0, 0.05, 0, 0, DistortionModel::rational};
+  const DistortionParams mixed = stateAt(states, 0.5).distortion;
+  QVERIFY(mixed.model == half.model && std::abs(mixed.k1 - half.k1) < 1e-15 && mixed.k4 == half.k4);
+  states[1].distortion.model = DistortionModel::fisheye;
+  QVERIFY_THROWS_EXCEPTION(InputError, (void)stateAt(states, 0.5));
 }
 
 QTEST_APPLESS_MAIN(TestCameraModels)
