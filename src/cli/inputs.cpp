@@ -111,10 +111,10 @@ std::optional<Calibration> calibrationOf(const CommandLine& line) {
   return calibration;
 }
 
-/// Says which size is assumed of pictures whose calibration does not say it.
+/// Says which size is assumed of a calibration's pictures, or how they fit the states.
 void warnOfSize(const CommandLine& line, const Calibration& calibration, const Session& session) {
   if (line.has("quiet") || session.cameras.empty()) return;
-  const std::string warning = assumedSizeOf(calibration, session.cameras.front().camera.res);
+  const std::string warning = sizeWarning(calibration, session.cameras.front().camera.res);
   if (!warning.empty()) printNote(line.text("calibration") + ": warning: " + warning);
 }
 

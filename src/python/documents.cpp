@@ -36,13 +36,20 @@ void save(const Document& document, const std::string& file) {
   });
 }
 
-std::string load(const std::string& file, const std::vector<std::string>& overrides,
-                 const std::string& calibration) {
-  return stoppable(py::none(), [&](const Progress&) {
+py::tuple load(const std::string& file, const std::vector<std::string>& overrides,
+               const std::string& calibration, const std::string& camera) {
+  std::vector<std::string> warnings;
+  std::string text = stoppable(py::none(), [&](const Progress&) {
     std::optional<Calibration> read;
-    if (!calibration.empty()) read = loadCalibration(calibration);
-    return textOf(loadSession(file, overrides, read));
+    if (!calibration.empty()) read = loadCalibration(calibration, camera, &warnings);
+    const Session session = loadSession(file, overrides, read);
+    if (read && !session.cameras.empty())
+      warnings.push_back(sizeWarning(*read, session.cameras.front().camera.res));
+    return textOf(session);
   });
+  std::erase(warnings, "");
+  for (std::string& warning : warnings) warning = calibration + ": " + warning;
+  return py::make_tuple(text, warnings);
 }
 
 py::tuple around(const std::string& file, const std::vector<std::string>& overrides,
@@ -106,7 +113,9 @@ void addDocuments(py::module_& module) {
              "The session as the program writes it: all fields, files relative to the current "
              "folder.");
   module.def("load", &load, py::arg("file"), py::arg("overrides"), py::arg("calibration"),
-             "A session file as normal() gives it, with overrides and a calibration's file.");
+             py::arg("camera"),
+             "A session file as normal() gives it, with overrides and a camera of a file, and "
+             "warnings.");
   module.def("around", &around, py::arg("file"), py::arg("overrides"), py::arg("progress"),
              "A new session around a folder, a picture or a mesh, and warnings.");
   module.def("info", &info, py::arg("file"), py::arg("overrides"), py::arg("progress"),

@@ -170,6 +170,7 @@ class TestCameraFile : public QObject {
   void mistakes();
   void severalCameras();
   void assumedSizes();
+  void otherSizes();
   void transforms();
   void anglesAlone();
   void splats();
@@ -489,11 +490,24 @@ void TestCameraFile::assumedSizes() {
   state.camera.res = {120, 90};
   apply(read, state);
   QVERIFY((state.camera.res == std::array{1915, 1085}));
-  QCOMPARE(assumedSizeOf(read, state.camera.res),
+  QCOMPARE(sizeWarning(read, state.camera.res),
            std::string("does not say the size of its pictures: 1915×1085 px are assumed"));
   state.camera.res = {1920, 1080};
   apply(read, state);
   QVERIFY((state.camera.res == std::array{1920, 1080}));
+}
+
+/// States of another size than the calibration's pictures are offered what scales it: pixels' edges
+/// keep their places, so the middle of 1920 pixels, 959.5, is that of 600, 299.5.
+void TestCameraFile::otherSizes() {
+  writeFile("k.json", R"({"K": [1056, 0, 959.5, 0, 1056, 539.5, 0, 0, 1], "D": [0, 0, 0, 0],
+                          "image_size": [1920, 1080]})");
+  const Calibration read = loadCalibration("k.json");
+  QCOMPARE(sizeWarning(read, {1920, 1080}), std::string());
+  QCOMPARE(sizeWarning(read, {600, 600}),
+           std::string("is of pictures of 1920×1080 px, but states have 600×600 px: --set "
+                       "camera.res=[600,338] --set intrinsics.fx=330 --set intrinsics.fy=330 --set "
+                       "intrinsics.cx=299.5 --set intrinsics.cy=168.25 scale it to that width"));
 }
 
 /// A point is where nerfstudio's own camera takes it: +x right, +y up, it looks along −z, and

@@ -106,6 +106,18 @@ class Sessions(FolderTest):
                  open(self.path("o", view.state + ".png"), "rb") as other:
                 self.assertEqual(own.read(), other.read())
         self.assertRefuses("override psf.sgima", hs.Session, TABLE1, overrides=["psf.sgima"])
+        with self.assertWarnsRegex(UserWarning, "is of pictures of 80×60 px, but states have 40"):
+            hs.Session(TABLE1, overrides=["camera.res=[40,30]"], calibration=calibration)
+
+    def test_one_of_several_cameras(self):
+        pair = self.write("pair.json", {
+            name: {"K": [focal, 0, 40, 0, focal, 30, 0, 0, 1], "D": [0, 0, 0, 0]}
+            for name, focal in (("left", 90), ("right", 70))})
+        self.assertRefuses("has the cameras", hs.Session, TABLE1, calibration=pair)
+        self.assertRefuses("needs a calibration", hs.Session, TABLE1, camera="right")
+        with self.assertWarnsRegex(UserWarning, "does not say the size of its pictures"):
+            s = hs.Session(TABLE1, calibration=pair, camera="right")
+        self.assertEqual(s["cameras"][0]["intrinsics"]["fx"], 70)
 
     def test_save(self):
         s = hs.Session(TABLE1)

@@ -43,7 +43,7 @@ void sayGuesses(const CameraSet& set, const Session& after) {
   const std::size_t first = after.cameras.size() - file->cameras.size();
   for (std::size_t k = 0; k < file->cameras.size(); ++k) {
     const CameraParams& camera = after.cameras[first + k].camera;
-    const std::string warning = assumedSizeOf(file->cameras[k].calibration, camera.res);
+    const std::string warning = sizeWarning(file->cameras[k].calibration, camera.res);
     if (warning.empty()) continue;
     return printNote(set.traceFile + ": warning: " + camera.name + " " + warning);
   }

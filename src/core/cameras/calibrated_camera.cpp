@@ -97,6 +97,14 @@ Calibration completed(Calibration calibration, const std::array<int, 2>& shown) 
   return calibration;
 }
 
+IntrinsicsParams scaled(IntrinsicsParams intrinsics, double scale) {
+  for (double* focal : {&intrinsics.fx, &intrinsics.fy})
+    if (*focal != notGiven) *focal *= scale;
+  for (double* centre : {&intrinsics.cx, &intrinsics.cy})  // a pixel's middle is a whole number
+    if (*centre != notGiven) *centre = (*centre + 0.5) * scale - 0.5;
+  return intrinsics;
+}
+
 void apply(const Calibration& calibration, CameraState& state) {
   const Calibration own = completed(calibration, state.camera.res);
   if (own.intrinsics.isGiven()) state.intrinsics = own.intrinsics;

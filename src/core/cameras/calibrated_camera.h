@@ -26,6 +26,9 @@ struct Calibration {
 /// middle, within the sizes that states may have.
 Calibration completed(Calibration calibration, const std::array<int, 2>& shown);
 
+/// Returns the intrinsics for the same picture in `scale` times as many pixels across and down.
+IntrinsicsParams scaled(IntrinsicsParams intrinsics, double scale);
+
 /// Gives a state the intrinsics, the distortion and the size of a calibrated camera, completed()
 /// for the state's own size.
 void apply(const Calibration& calibration, CameraState& state);

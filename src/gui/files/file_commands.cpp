@@ -324,7 +324,7 @@ bool FileCommands::takeCalibration(const QString& file, CameraState& state) {
   std::vector<std::string> notes;
   const Calibration calibration = loadCalibration(file.toStdString(), name.toStdString(), &notes);
   apply(calibration, state);
-  notes.push_back(assumedSizeOf(calibration, state.camera.res));
+  notes.push_back(sizeWarning(calibration, state.camera.res));
   for (const std::string& note : notes)
     if (!note.empty()) Q_EMIT failed(file + ": " + QString::fromStdString(note));
   return true;

@@ -247,10 +247,24 @@ std::vector<NamedCalibration> loadCalibrations(const fs::path& file) {
   });
 }
 
-std::string assumedSizeOf(const Calibration& calibration, const std::array<int, 2>& res) {
-  return calibration.res ? ""
-                         : "does not say the size of its pictures: " + pairText(res[0], res[1]) +
-                               " px are assumed";
+std::string sizeWarning(const Calibration& calibration, const std::array<int, 2>& res) {
+  if (!calibration.res)
+    return "does not say the size of its pictures: " + pairText(res[0], res[1]) + " px are assumed";
+  if (*calibration.res == res) return "";
+  const auto [width, height] = *calibration.res;
+  const double scale = double(res[0]) / width;
+  const IntrinsicsParams k = scaled(completed(calibration, res).intrinsics, scale);
+  std::string text = "is of pictures of " + pairText(width, height) + " px, but states have " +
+                     pairText(res[0], res[1]) + " px: --set camera.res=[" + std::to_string(res[0]) +
+                     "," + std::to_string(std::max(1L, std::lround(height * scale))) + "]";
+  const auto add = [&text](const char* name, double value) {
+    if (value != notGiven) text += std::string(" --set intrinsics.") + name + "=" + numberText(value);
+  };
+  add("fx", k.fx);
+  add("fy", k.fy);
+  add("cx", k.cx);
+  add("cy", k.cy);
+  return text + " scale it to that width";
 }
 
 }  // namespace hogelscope

@@ -78,7 +78,8 @@ struct NamedCalibration {
 /// InputError as above, also for two cameras of one name.
 std::vector<NamedCalibration> loadCalibrations(const std::filesystem::path& file);
 
-/// Returns a line that says which size a state has, `res`, if the calibration has none; else "".
-std::string assumedSizeOf(const Calibration& calibration, const std::array<int, 2>& res);
+/// Returns a warning for a state of `res` pixels whose calibration is of pictures of another size,
+/// with the overrides that scale it to the state's width, or has no size; else "".
+std::string sizeWarning(const Calibration& calibration, const std::array<int, 2>& res);
 
 }  // namespace hogelscope

@@ -72,7 +72,9 @@ def depth(
 def info(
     file: str, overrides: Sequence[str], progress: Optional[Callable[[float], object]]
 ) -> str: ...
-def load(file: str, overrides: Sequence[str], calibration: str) -> str: ...
+def load(
+    file: str, overrides: Sequence[str], calibration: str, camera: str
+) -> Tuple[str, List[str]]: ...
 def measure(
     document: Document,
     output: str,

@@ -46,7 +46,8 @@ class Session(dict[str, Any], metaclass=OwnMembers):
             is made as on the command line; a mapping; or the text of a document (begins with {).
         folder: what the file names of a mapping or a text are relative to; the current folder.
         overrides: changes as ``--set`` takes them: ["display.fov=[50,50]", "psf.sigma=0"].
-        calibration: a calibration's file for every state, as ``--calibration``.
+        calibration: a file of cameras, one of which every state gets, as ``--calibration``.
+        camera: which of them, as ``--camera``.
         progress: called with the fraction done while views are looked at.
         check: whether a mapping is checked now, as files are.
 
@@ -65,6 +66,7 @@ class Session(dict[str, Any], metaclass=OwnMembers):
         folder: Path = "",
         overrides: Sequence[str] = (),
         calibration: Optional[Path] = None,
+        camera: str = "",
         progress: Optional[Progress] = None,
         check: bool = True,
     ) -> None:
@@ -72,6 +74,8 @@ class Session(dict[str, Any], metaclass=OwnMembers):
         self.name = ""
         self._views: Optional[_hogelscope.SessionViews] = None
         changes = list(overrides)
+        if camera and calibration is None:
+            raise InputError(f"camera {camera}: needs a calibration, of which it is a camera")
         if isinstance(source, Mapping):
             document = copy.deepcopy(dict(source))
             document.setdefault("hogelscope", 1)
@@ -99,11 +103,13 @@ class Session(dict[str, Any], metaclass=OwnMembers):
         elif changes or calibration is not None:
             given = "" if calibration is None else path_text(calibration)
             self.name = text
-            self._read(_hogelscope.load(text, changes, given))
+            found, lines = _hogelscope.load(text, changes, given, camera)
+            self._read(found)
+            warn(lines)
         else:
             self.name = text
             self.folder = os.path.dirname(text)
-            _hogelscope.load(text, [], "")  # its words for what is wrong
+            _hogelscope.load(text, [], "", "")  # its words for what is wrong
             with open(text, encoding="utf-8") as file:
                 self._read(file.read())
 
