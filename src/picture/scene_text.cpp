@@ -108,8 +108,8 @@ QString SceneText::verdict(const PixelTrace& trace, const PanelParams& display) 
   switch (fateOf(trace)) {
     case PixelFate::noRay:
       return tr(
-          "Black, no ray: the lens folds nearer to the centre, so that no light gets to this "
-          "pixel.");
+          "Black, no ray: the lens folds or ends nearer to the centre, so that no light gets to "
+          "this pixel.");
     case PixelFate::dark:
       return tr("Black, dark content: it sees the display, which sends no light this way.");
     case PixelFate::lit:

@@ -4,6 +4,7 @@
 
 #include "core/engine/plan.h"
 #include "core/lens/lens_table.h"
+#include "study/stability.h"
 #include "tests/benchmark/scene.h"
 
 namespace benchmarks {
@@ -20,12 +21,29 @@ LensKey lensKey() {
   return key;
 }
 
-void lensTable(benchmark::State& state) {
+void lensTableOf(benchmark::State& state, const LensKey& key) {
   setThreads(0);
   for (auto _ : state) {
-    const LensTable table(lensKey(), parallelRows);
+    const LensTable table(key, parallelRows);
     benchmark::DoNotOptimize(table.x(300, {}));
   }
+}
+
+void lensTable(benchmark::State& state) {
+  lensTableOf(state, lensKey());
+}
+
+/// One of hardLenses(), calibrated by others, in a picture of 600×600.
+void lensTableOfCamera(benchmark::State& state, const char* name) {
+  const std::vector<NamedLens> lenses = hardLenses();
+  const auto found = std::ranges::find(lenses, std::string(name), &NamedLens::name);
+  if (found == lenses.end()) return state.SkipWithError("no such lens");
+  LensKey key = found->key;
+  key.focalLength = {key.focalLength.x * 600 / key.res[0], key.focalLength.y * 600 / key.res[1]};
+  key.centre = {key.centre.x * 600 / key.res[0], key.centre.y * 600 / key.res[1]};
+  key.res = {600, 600};
+  key.hasStrips = true;
+  lensTableOf(state, key);
 }
 
 /// Most of the pixels lie behind a fold, many on segments that graze it.
@@ -59,6 +77,9 @@ void lensTableOpenCv(benchmark::State& state) {
 void addLens() {
   add("limit/lens table, cv::undistortPoints", lensTableOpenCv);
   add("lens table", lensTable);
+  for (const char* camera : {"Azure Kinect colour", "Azure Kinect depth", "OAK-D Lite colour",
+                             "TUM VI cam0", "fisheye k1 0.1 to 85°"})
+    add("lens table, " + std::string(camera), lensTableOfCamera, camera);
   add("lens table, behind a fold, one thread", lensTableBehindAFold,
       DistortionParams{-5.14195, -7.85298, 5.40661, -2.98797, -6.24715}, 300 / 6.68814);
   add("lens table, beside a fold, one thread", lensTableBehindAFold,

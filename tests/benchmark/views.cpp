@@ -27,6 +27,22 @@ RenderJob distorted(int pose) {
   return job;
 }
 
+/// Through the lens of TUM VI's cam0.
+RenderJob distortedByAFisheye(int pose) {
+  RenderJob job = viewOf(pose);
+  job.state.distortion = {0.0034823894, 0.0007150348, 0, 0, -0.0020532361, 0.00020293673, 0, 0,
+                          DistortionModel::fisheye};
+  return job;
+}
+
+/// Through the lens of an Azure Kinect's colour camera.
+RenderJob distortedByARationalLens(int pose) {
+  RenderJob job = viewOf(pose);
+  job.state.distortion = {0.722746, -2.88559,  0.000783, -0.000143,
+                          1.632723, 0.602199, -2.719626, 1.565053, DistortionModel::rational};
+  return job;
+}
+
 RenderJob leaking(int pose, double sigma, int windowSize) {
   RenderJob job = viewOf(pose);
   job.state.psf = {sigma, windowSize};
@@ -302,6 +318,8 @@ void addViews() {
   add("view/nearest, lens sheet of delta cells", timeViews, throughSheet<true>, 0);
   add("limit/nearest distorted", limit, distorted, 1, 1);
   add("view/nearest distorted", timeViews, distorted, 0);
+  add("view/nearest distorted, fisheye", timeViews, distortedByAFisheye, 0);
+  add("view/nearest distorted, rational", timeViews, distortedByARationalLens, 0);
   add("limit/psf 5x5", limit, plain, 5, 1);
   add("view/psf 5x5", timeViews, leaking5, 0);
   add("limit/psf 7x7", limit, plain, 7, 1);

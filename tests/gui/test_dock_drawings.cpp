@@ -150,6 +150,45 @@ class TestDockDrawings : public DocksTest {
     lens->grab();
   }
 
+  /// What the other model has too is kept, the rest is 0, and one undo brings all of it back.
+  void theLensModelIsOneEdit() {
+    openSmall();
+    openSection("distortion");
+    auto* certificate = child<QLabel>("certificateLabel");
+    auto* model = editor<QComboBox>("distortionArea", "model");
+    editor<QDoubleSpinBox>("distortionArea", "k1")->setValue(0.2);
+    editor<QDoubleSpinBox>("distortionArea", "p1")->setValue(0.01);
+    const DistortionParams brown = m_model->current().distortion;
+    QVERIFY(editor<QDoubleSpinBox>("distortionArea", "k4") == nullptr ||
+            !editor<QDoubleSpinBox>("distortionArea", "k4")->isVisible());
+    const int before = m_model->undoStack()->index();
+    model->setCurrentText("fisheye");
+    QCOMPARE(m_model->undoStack()->index(), before + 1);
+    QVERIFY((m_model->current().distortion ==
+             DistortionParams{brown.k1, brown.k2, 0, 0, brown.k3, 0, 0, 0,
+                              DistortionModel::fisheye}));
+    QTRY_VERIFY_WITH_TIMEOUT(certificate->isEnabled(), patience);
+    QVERIFY2(certificate->text().contains("one-to-one"), qPrintable(certificate->text()));
+    m_model->undoStack()->undo();
+    QVERIFY(m_model->current().distortion == brown);
+    QCOMPARE(model->currentText(), QString("brown"));
+  }
+
+  /// A picture wider than a fisheye's field: its edge, a circle of θ = 90°, is drawn.
+  void theFieldsEdgeOfAFisheyeIsDrawn() {
+    openSmall();
+    openSection("distortion");
+    auto* lens = m_window->findChild<LensWidget*>();
+    QTRY_VERIFY_WITH_TIMEOUT(lens->isVisible(), patience);
+    lens->setFixedSize(400, 360);
+    CameraState state = m_model->current();
+    state.camera.fov = 140;  // its corners are 2.7 from the middle, π/2 has no ray
+    state.distortion = {0, 0, 0, 0, 0, 0, 0, 0, DistortionModel::fisheye};
+    m_model->setCurrent(state);
+    QTRY_VERIFY_WITH_TIMEOUT(pixelsOf(lens, QColor(200, 40, 40)) > 500, patience);
+    QVERIFY(child<QLabel>("certificateLabel")->text().contains("they would be 90° off the axis"));
+  }
+
   /// Grey from the edit on, until what is said is of this lens.
   void aStaleCertificateIsGrey() {
     openSmall();

@@ -103,7 +103,9 @@ LensCertificate certify(const LensKey& lens, const ParallelRows& parallelRows,
 std::string certificateText(const LensCertificate& certificate) {
   const auto degrees = [](double slope) { return std::atan(slope) * 180 / std::numbers::pi; };
   std::array<char, 300> line{};
-  if (std::isinf(certificate.validRadius))
+  if (certificate.endsAtRightAngle)
+    std::snprintf(line.data(), line.size(), "one-to-one up to 90° off the axis");
+  else if (std::isinf(certificate.validRadius))
     std::snprintf(line.data(), line.size(), "one-to-one everywhere");
   else
     std::snprintf(line.data(), line.size(), "one-to-one within r = %.4f (%.2f° off the axis)",

@@ -14,7 +14,7 @@ RayEnd endOf(const Display& display, const std::optional<Hit>& place) {
 
 std::string_view words(RayEnd end) {
   constexpr std::array<std::string_view, 4> texts{
-      "no ray: the lens folds before this pixel", "misses the panel",
+      "no ray: the lens folds or ends before this pixel", "misses the panel",
       "outside the hogel's angular field", "sees the display"};
   return texts.at(static_cast<std::size_t>(end));
 }

@@ -14,7 +14,7 @@ namespace hogelscope {
 
 /// The outcome of a pixel's ray.
 enum class RayEnd {
-  noRay,         ///< the lens folds nearer to the centre than this pixel
+  noRay,         ///< the lens folds or ends nearer to the centre than this pixel
   misses,        ///< it does not meet the panel's front
   outsideField,  ///< it meets the panel outside the hogel's angular field
   seen

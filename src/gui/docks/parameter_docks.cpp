@@ -225,7 +225,7 @@ void DistortionDock::showLens(const CertifiedLens& lens) {
           ? tr("<b>⚠ %1 % of the pixels have no ray: they would be 90° off the axis or "
                "more.</b><br>")
                 .arg(share, 0, 'f', 1)
-          : tr("<b>⚠ %1 % of the pixels have no ray: the lens folds within the picture.</b><br>")
+          : tr("<b>⚠ %1 % of the pixels have no ray: the lens folds or ends within the picture.</b><br>")
                 .arg(share, 0, 'f', 1);
   m_certificate->setText(
       warning +

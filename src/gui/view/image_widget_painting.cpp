@@ -201,7 +201,7 @@ void ImageWidget::paintTexts(QPainter& painter) const {
 
 /// Paints what the mask's patterns mean, left of `right`.
 void ImageWidget::paintLegend(QPainter& painter, int right) const {
-  const std::array words{tr("no ray: the lens folds before it"), tr("misses the panel"),
+  const std::array words{tr("no ray: the lens folds or ends before it"), tr("misses the panel"),
                          tr("outside the hogels' angular field")};
   constexpr int margin = 4;
   const int line = painter.fontMetrics().height() + margin;
