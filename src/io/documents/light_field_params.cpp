@@ -18,7 +18,7 @@ constexpr std::array<std::string_view, 4> scanNames{"raster", "serpentine", "col
                                                     "columns-serpentine"};
 constexpr std::array<std::string_view, 2> startNames{"bottom-left", "top-left"};
 constexpr std::array<std::string_view, 2> samplingNames{"4:2:0", "4:4:4"};
-constexpr std::array<std::string_view, 2> matrixNames{"bt709", "bt601"};
+constexpr std::array<std::string_view, 2> colourMatrixNames{"bt709", "bt601"};
 constexpr std::array<std::string_view, 2> rangeNames{"limited", "full"};
 
 /// Whether the names of its files are those of raw YUV.
@@ -37,7 +37,7 @@ void describeYuv(ParameterVisitor& v, YuvParams& p) {
           "4:2:0: Cb and Cr have half the width and height, rounded up; 4:4:4: all of it.");
   v.field({"yuvBits", "YUV bits"}, bits, {8, 16, 2}, "bits",
           "Bits of a sample: 8, a byte; more, in 16 with the low byte first.");
-  v.field({"yuvMatrix", "YUV matrix"}, matrix, matrixNames,
+  v.field({"yuvMatrix", "YUV matrix"}, matrix, colourMatrixNames,
           "What Y, Cb and Cr are made of: BT.709 or BT.601.");
   v.field({"yuvRange", "YUV range"}, range, rangeNames,
           "limited: 8-bit Y is 16 … 235, Cb and Cr 16 … 240; full: all values.");
