@@ -18,7 +18,6 @@ void fuzz(std::string_view input) {
       const auto geometry = captureGeometry(folder(), views, 64, 48);
       if (!geometry) return;
       (void)geometry->fovOf(2, 1);
-      (void)geometry->shearOf(64, 48);
     });
     std::filesystem::remove(file);
   }

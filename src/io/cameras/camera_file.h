@@ -23,6 +23,7 @@ struct FileCamera {
   std::string lensPath = "distortion";   ///< of them, in errors
   Calibration calibration;               ///< without distortion
   std::optional<RigidTransform> pose{};  ///< worldFromCamera; the axes are right, down, forward
+  std::string picture{};                 ///< the path of its picture in the file; "": not said
 };
 
 /// The cameras of a file.

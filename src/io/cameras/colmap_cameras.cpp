@@ -296,6 +296,7 @@ FileCamera fileCameraOf(const ColmapCamera& camera) {
 FileCamera fileCameraOf(const ColmapImage& image, const FileCamera& camera) {
   FileCamera result = camera;
   result.name = stemOf(image.name);
+  result.picture = image.name;
   const std::string path = printable(image.name);
   RigidTransform cameraFromWorld = rotationOf(image.q[0], image.q[1], image.q[2], image.q[3], path);
   constexpr double farthest = 1e9;

@@ -137,6 +137,7 @@ CameraFile readTransforms(const CameraDocument& document, CameraUse /*use*/) {
     camera.pose = fromOpenGl(
         transformOf(matrixNumbers(*matrix, path + "transform_matrix"), path + "transform_matrix"));
     const std::string picture = textOf(frames[k], {"filepath"});
+    camera.picture = picture;
     pictures.push_back(picture.empty() ? "camera" : picture);
     file.cameras.push_back(std::move(camera));
   }
@@ -185,6 +186,7 @@ CameraFile readSplats(const CameraDocument& document, CameraUse /*use*/) {
         transformOf({r[0], r[1], r[2], p[0], r[3], r[4], r[5], p[1], r[6], r[7], r[8], p[2]},
                     path + "rotation");
     const std::string picture = textOf(list[k], {"imgname", "imagename"});
+    camera.picture = picture;
     pictures.push_back(picture.empty() ? "camera" : picture);
     file.cameras.push_back(std::move(camera));
   }

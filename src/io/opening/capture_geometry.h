@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Reads the geometry of cameras from the file that some captures have beside their views.
+// Reads the geometry of cameras from the file that some captures have beside their views
+// (docs/formulas.md, Display and Order of views).
 #pragma once
 
 #include <array>
@@ -7,6 +8,7 @@
 #include <optional>
 
 #include "capture/names/view_grid.h"
+#include "io/opening/view_cameras.h"
 
 namespace hogelscope {
 
@@ -15,13 +17,11 @@ struct CaptureGeometry {
   std::array<double, 2> panel{};    ///< the part of the plane in focus that a camera sees, metres
   std::array<double, 2> spacing{};  ///< of neighbouring cameras, metres
   double distance = 0;              ///< from the cameras to the plane in focus, metres
-  bool isShifted = false;           ///< the views coincide on that plane already
+  std::array<double, 2> shear{};    ///< makes the views coincide on that plane, pixels per view
 
   /// Returns `display.fov`: the full angles, in degrees, that so many cameras cover as seen from
   /// the panel's centre, with half their spacing beyond the outer ones.
   [[nodiscard]] std::array<double, 2> fovOf(int columns, int rows) const;
-  /// Returns the shear that makes views of so many pixels coincide on the plane in focus.
-  [[nodiscard]] std::array<double, 2> shearOf(int width, int height) const;
 };
 
 /// Reads `parameters.cfg` of the HCI 4D light field benchmark (baseline_mm, focus_distance_m,
@@ -31,5 +31,16 @@ struct CaptureGeometry {
 /// all of these values. Throws InputError if a value is not a number or out of range.
 std::optional<CaptureGeometry> captureGeometry(const std::filesystem::path& folder,
                                                const ViewFiles& views, int width, int height);
+
+/// What the program knows of the plane in focus, which files of cameras do not say.
+struct KnownFocus {
+  double distance = notGiven;                  ///< from the cameras, metres
+  std::optional<std::array<double, 2>> shear;  ///< seen in the views, without a distance
+};
+
+/// Returns the geometry of cameras in a grid, whose unit is taken for the metre. None if the plane
+/// in focus is not known, or does not fit the cameras; `why` then says so in a line.
+std::optional<CaptureGeometry> captureGeometry(const ViewCameras& cameras, const KnownFocus& focus,
+                                               int width, int height, std::string& why);
 
 }  // namespace hogelscope

@@ -88,10 +88,13 @@ bool fitsMotion(const Order& order, double correlation) {
 /// Combines the evidence of images, names and session.
 class Judgement {
  public:
-  Judgement(const ViewOrder& measured, const std::optional<Order>& names, const Order& said)
+  Judgement(const ViewOrder& measured, const std::optional<Order>& names, const Order& said,
+            const std::optional<CameraOrder>& cameras)
       : m_measured(measured), m_order(said) {
     const Order seen{measured.rows, measured.columns};
-    if (measured.isInconsistent) {
+    if (cameras) {
+      withCameras(*cameras, names, seen);
+    } else if (measured.isInconsistent) {
       m_reason =
           "rows or columns of views contradict their neighbours: try another display.directions";
     } else if (names && !(measured.isTransposed && measured.sureness != Sureness::unknown)) {
@@ -108,8 +111,26 @@ class Judgement {
   [[nodiscard]] const Order& order() const { return m_order; }
   [[nodiscard]] Sureness sureness() const { return m_sureness; }
   [[nodiscard]] const std::string& reason() const { return m_reason; }
+  /// Returns what contradicts the cameras' places.
+  [[nodiscard]] const std::vector<std::string>& warnings() const { return m_warnings; }
 
  private:
+  void withCameras(const CameraOrder& cameras, const std::optional<Order>& names,
+                   const Order& seen) {
+    m_order = {cameras.rows, cameras.columns};
+    m_sureness = Sureness::sure;
+    m_reason = "the cameras' places in " + cameras.file;
+    const std::string used = cameras.file + ": its cameras' places are used, but ";
+    if (names && *names != m_order)
+      m_warnings.push_back(used + "the positions in the file names say the opposite");
+    const bool isSeen = m_measured.sureness != Sureness::unknown;
+    const bool fits = isSeen ? seen == m_order : fitsMotion(m_order, m_measured.correlation);
+    if (fits && !m_measured.isInconsistent && !m_measured.isTransposed) return;
+    m_sureness = Sureness::likely;
+    m_warnings.push_back(used + "the pictures contradict them: " + evidence() +
+                         "; are its poses in the axes of their own format?");
+  }
+
   void withNames(const Order& names, const Order& seen) {
     const double correlation = m_measured.correlation;
     const bool isMeasured = std::abs(correlation) >= clearCorrelation;
@@ -180,6 +201,7 @@ class Judgement {
   Order m_order;
   Sureness m_sureness = Sureness::unknown;
   std::string m_reason;
+  std::vector<std::string> m_warnings;
 };
 
 double roundedShear(double pixels) {
@@ -198,10 +220,12 @@ std::array<double, 2> shearOf(const LightFieldParams& params, const ViewOrder& m
 /// Expresses the order by the layout's parameters.
 class Finding {
  public:
-  Finding(const LightFieldParams& params, const GreyViews& views, const ViewOrder& measured)
-      : m_views(views) {
-    const Judgement judgement(measured, orderSaidByNames(views, measured.isTransposed),
-                              orderSaidBy(params));
+  Finding(const LightFieldParams& params, const GreyViews& views, const ViewOrder& measured,
+          const std::optional<CameraOrder>& cameras)
+      : m_views(views), m_isOfCameras(cameras.has_value()) {
+    const bool isTransposed = !cameras && measured.isTransposed;
+    const Judgement judgement(measured, orderSaidByNames(views, isTransposed), orderSaidBy(params),
+                              cameras);
     m_result.found = params;
     m_result.measured = measured;
     m_result.rows = judgement.order().rows;
@@ -209,6 +233,7 @@ class Finding {
     m_result.sureness = judgement.sureness();
     m_result.reason = judgement.reason();
     m_result.warnings = views.warnings;
+    for (const std::string& line : judgement.warnings()) m_result.warnings.push_back(line);
     if (views.isLoose) {
       m_result.sureness = Sureness::unknown;
       m_result.reason = "so many numbers are missing that the grid is a guess; " + m_result.reason;
@@ -222,14 +247,16 @@ class Finding {
   void sayViews() {
     LightFieldParams& found = m_result.found;
     const ViewOrder& measured = m_result.measured;
-    if (measured.isTransposed && !measured.isInconsistent && !sayTransposed()) return;
+    const bool isTransposed = measured.isTransposed && !measured.isInconsistent;
+    if (!m_isOfCameras && isTransposed && !sayTransposed()) return;
     if (found.incoming) {
       m_result.rows = reversed(m_result.rows);
       m_result.columns = reversed(m_result.columns);
     }
     found.rows = m_result.rows;
     found.columns = m_result.columns;
-    if (m_result.sureness != Sureness::unknown) found.shear = shearOf(found, m_result.measured);
+    if (m_result.sureness != Sureness::unknown && (!m_isOfCameras || hasMiddleMotion(measured)))
+      found.shear = shearOf(found, measured);
   }
 
   /// Exchanges rows and columns in the pattern; returns false if this is not possible.
@@ -286,6 +313,7 @@ class Finding {
   }
 
   const GreyViews& m_views;
+  bool m_isOfCameras;
   LightFieldOrder m_result;
 };
 
@@ -414,8 +442,13 @@ bool startsElsewhere(const GreyGrid& tiles, QuiltStart start) {
 
 }  // namespace
 
+bool hasMiddleMotion(const ViewOrder& measured) {
+  return measured.places > 0 && !measured.isInconsistent && !measured.isTransposed;
+}
+
 LightFieldOrder findLightFieldOrder(const LightFieldParams& params, const DisplayParams& display,
-                                    const Progress& progress) {
+                                    const Progress& progress,
+                                    const std::optional<CameraOrder>& cameras) {
   LightFieldOrder order;
   order.found = params;
   if (params.isLive()) {
@@ -440,9 +473,9 @@ LightFieldOrder findLightFieldOrder(const LightFieldParams& params, const Displa
   }
   ViewOrder measured = findViewOrder(views->grid, part(progress, 0.6, 0.8));
   if (views->tiles && measured.isTransposed) return likeMosaic(params, *views->tiles);
-  if (views->isCounted && !isInOrder(measured, views->grid))
+  if (!cameras && views->isCounted && !isInOrder(measured, views->grid))
     findScan(counted, *views, measured, part(progress, 0.8, 1));
-  LightFieldOrder found = Finding(counted, *views, measured).result();
+  LightFieldOrder found = Finding(counted, *views, measured, cameras).result();
   found.isLikeQuilt = tileOrder == TileOrder::quilt;
   return found;
 }

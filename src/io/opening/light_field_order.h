@@ -14,6 +14,13 @@
 
 namespace hogelscope {
 
+/// What the places of a capture's cameras say of the order of its files; nothing else is so sure.
+struct CameraOrder {
+  RowOrder rows = RowOrder::topDown;
+  ColumnOrder columns = ColumnOrder::leftRight;
+  std::string file;  ///< that says it
+};
+
 struct LightFieldOrder {
   /// The light field's parameters with the order that was found, as far as its layout has
   /// parameters for it, and its shear unless the order is unknown; the given ones if nothing was
@@ -33,9 +40,16 @@ struct LightFieldOrder {
   bool isLikeQuilt = false;  ///< the tiles of a row follow those of another, as in a quilt
 };
 
-/// Finds the order by some of the views. Throws InputError as openLightField() does, or Cancelled.
+/// Finds the order by some of the views, or takes that of their cameras, for which the parameters
+/// must read the files' grid; then the views are still examined for the shear, and for whether they
+/// contradict it. Throws InputError as openLightField() does, or Cancelled.
 LightFieldOrder findLightFieldOrder(const LightFieldParams& params, const DisplayParams& display,
-                                    const Progress& progress = {});
+                                    const Progress& progress = {},
+                                    const std::optional<CameraOrder>& cameras = {});
+
+/// Whether the motion between the views was measured along rows and columns as they are read, so
+/// that the shear of the middle depth is known.
+bool hasMiddleMotion(const ViewOrder& measured);
 
 /// Returns the overrides that turn order and shear of `used` into those that were found, such as
 /// "lightField.rows=bottom-up"; none if they are the same.

@@ -84,9 +84,7 @@ class Assumptions {
     addSize();
     if (opening.size.nx > 0 && opening.size.du * opening.size.dv > 1) addOrder();
     const bool isCaptured = m_used.viewingDistance > 0 && !isSaid("lightField.viewingDistance");
-    if (isCaptured)
-      add("Cameras", numberText(m_used.viewingDistance) + " m before the panel",
-          "the capture's own file, which gives the panel its size and field too", Sureness::sure);
+    if (isCaptured) addCameras();
     if (opening.size.nx > 0 && !isCaptured && !hasDisplay()) addDisplay();
   }
 
@@ -107,6 +105,20 @@ class Assumptions {
   [[nodiscard]] bool hasDisplay() const {
     return typeOf(m_used.layout).holder == Holder::store &&
            LightFieldStore(m_used.file).header().display;
+  }
+
+  /// Whether cameras in a file beside the views gave their places, but neither the plane in focus
+  /// nor, mostly, a scale.
+  [[nodiscard]] bool isByViews() const { return !m_opening.around.assumed.empty(); }
+
+  void addCameras() {
+    add("Cameras", numberText(m_used.viewingDistance) + " m before the panel",
+        isByViews() ? "the shear of the views, and the lenses and places in the file of their "
+                      "cameras, which give the panel its size and field too; its unit is taken for "
+                      "the metre"
+                    : "the capture's own file, which gives the panel its size and field too",
+        isByViews() ? Sureness::likely : Sureness::sure);
+    m_list.back().isUsual = isByViews();
   }
 
   /// Adds what no picture says.
@@ -156,7 +168,8 @@ class Assumptions {
     if (!isViews) return;
     const bool isCaptured = m_used.viewingDistance > 0;
     add("Shear", numberText(m_used.shear[0]) + ", " + numberText(m_used.shear[1]) + " px/view",
-        isCaptured                ? "the capture's own file"
+        isCaptured && isByViews() ? "puts the middle depth on the panel"
+        : isCaptured              ? "the capture's own file"
         : isFound(order.sureness) ? "puts the middle depth on the panel"
                                   : "none, because the order is not known",
         isCaptured ? Sureness::sure : order.sureness, "lightField.shear");

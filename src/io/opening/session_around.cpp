@@ -13,6 +13,7 @@
 #include "io/documents/sheet_file.h"
 #include "io/files/folders.h"
 #include "io/opening/capture_geometry.h"
+#include "io/opening/view_cameras.h"
 #include "io/scene/live_file.h"
 #include "io/scene/view_source.h"
 #include "io/store/light_field_store.h"
@@ -208,9 +209,13 @@ bool findHogels(OrderedSession& result, Given given, const Progress& progress) {
   return true;
 }
 
-bool isLayoutGiven(const std::vector<std::string>& overrides) {
+bool isGiven(const std::vector<std::string>& overrides, const std::string& field) {
   return std::ranges::any_of(
-      overrides, [](const std::string& text) { return text.starts_with("lightField.layout="); });
+      overrides, [&](const std::string& text) { return text.starts_with(field + "="); });
+}
+
+bool isLayoutGiven(const std::vector<std::string>& overrides) {
+  return isGiven(overrides, "lightField.layout");
 }
 
 /// Returns the session with the overrides. Unless one gives the layout, those of the light field
@@ -246,17 +251,63 @@ PanelParams displayAround(const LightFieldParams& lightField, const DisplayParam
   return display;
 }
 
+/// Finds the order of what is read as `said`: by cameras in a file beside views, if there is one,
+/// whose grid `said` then has, or else by the pictures.
+std::optional<ViewCameras> takeOrder(OrderedSession& result, Session& said, bool isScanGiven,
+                                     const Progress& progress) {
+  ViewCamerasSearch beside = findViewCameras(said.lightField, said.display, isScanGiven);
+  std::optional<CameraOrder> order;
+  if (beside.found) {
+    const ViewCameras& cameras = *beside.found;
+    order = cameras.order;
+    said.lightField.pattern = cameras.pattern;
+    said.lightField.scan = cameras.scan;
+    said.display.directions = {cameras.grid.columns, cameras.grid.rows};
+    result.assumed = pairText(cameras.grid.columns, cameras.grid.rows) +
+                     " views by their cameras' places in " + order->file;
+  }
+  result.order = findLightFieldOrder(said.lightField, said.display, progress, order);
+  auto& warnings = result.order.warnings;
+  warnings.insert(warnings.begin(), beside.lines.begin(), beside.lines.end());
+  if (beside.isContradicted) {
+    result.order.sureness = Sureness::unknown;
+    result.order.reason = "the cameras' places contradict the file names; " + result.order.reason;
+    result.order.found.shear = said.lightField.shear;
+  }
+  return std::move(beside.found);
+}
+
+/// Returns the geometry of a capture, by its own file or by a file of cameras beside the views.
+std::optional<CaptureGeometry> geometryOf(OrderedSession& result, const ViewFiles& views,
+                                          const std::optional<ViewCameras>& cameras) {
+  const LightFieldParams& lightField = result.session.lightField;
+  const ImageFile first(views.found().front(), lightField.yuv);
+  const auto [width, height] = std::pair(int(first.width()), int(first.height()));
+  if (auto geometry = captureGeometry(lightField.file, views, width, height)) {
+    result.assumed.clear();  // nothing is: that file has a scale
+    return geometry;
+  }
+  if (!cameras) return std::nullopt;
+  KnownFocus focus{lightField.viewingDistance, {}};
+  if (hasMiddleMotion(result.order.measured)) focus.shear = result.order.found.shear;
+  std::string why;
+  auto geometry = captureGeometry(*cameras, focus, width, height, why);
+  if (!why.empty()) result.order.warnings.push_back(why);
+  if (geometry && !cameras->hasScale) result.assumed += ", whose unit is taken for the metre";
+  return geometry;
+}
+
 /// Puts the panel into the plane in focus if the capture gives the positions of its cameras.
 /// Returns whether it does. Tells of directions that the file names contradict.
-bool takeGeometry(OrderedSession& result, const DisplayParams& given) {
+bool takeGeometry(OrderedSession& result, const DisplayParams& given,
+                  const std::optional<ViewCameras>& cameras) {
   Session& session = result.session;
   LightFieldParams& lightField = session.lightField;
   if (lightField.layout != Layout::views || !isFolder(lightField.file)) return false;
   const ViewFiles views = findViews(lightField, given.directions);
   if (!views.ignored.empty()) result.order.warnings.push_back(views.ignored);
-  const ImageFile first(views.found().front(), lightField.yuv);
-  const auto [width, height] = std::pair(int(first.width()), int(first.height()));
-  const auto geometry = captureGeometry(lightField.file, views, width, height);
+  if (cameras && cameras->isCounted) session.display.directions = given.directions;
+  const auto geometry = geometryOf(result, views, cameras);
   if (!geometry) return false;
   const auto rounded = [](std::array<double, 2> pair) {  // for readers of the session
     for (double& value : pair) value = std::round(value * 1e6) / 1e6;
@@ -264,8 +315,8 @@ bool takeGeometry(OrderedSession& result, const DisplayParams& given) {
   };
   session.display.size = rounded(geometry->panel);
   session.display.fov = rounded(geometry->fovOf(views.columns, views.rows));
-  lightField.viewingDistance = geometry->distance;
-  lightField.shear = rounded(geometry->shearOf(width, height));
+  lightField.viewingDistance = std::round(geometry->distance * 1e6) / 1e6;
+  lightField.shear = rounded(geometry->shear);
   return true;
 }
 
@@ -287,6 +338,7 @@ OrderedSession orderedSessionAround(const std::string& file,
       return typeOf(said.lightField.layout).isWhole(said.lightField, said.display);
     };
     bool isOrdered = false;
+    std::optional<ViewCameras> cameras;
     if (!isWhole()) {
       isOrdered = findHogels(result, {said, isLayoutGiven(overrides), {}}, part(progress, 0, 0.8));
       said.lightField = session.lightField;
@@ -295,7 +347,8 @@ OrderedSession orderedSessionAround(const std::string& file,
     }
     if (isWhole()) {
       if (!isOrdered)
-        result.order = findLightFieldOrder(said.lightField, said.display, part(progress, 0.8, 1));
+        cameras =
+            takeOrder(result, said, isGiven(overrides, "lightField.scan"), part(progress, 0.8, 1));
       session.lightField = result.order.found;
     }
     const PanelParams around = displayAround(session.lightField, said.display);
@@ -306,7 +359,7 @@ OrderedSession orderedSessionAround(const std::string& file,
       session.display.directions = said.display.directions;
     }
     if (around.viewingDistance > 0) session.lightField.viewingDistance = around.viewingDistance;
-    if (takeGeometry(result, said.display)) {
+    if (takeGeometry(result, said.display, cameras)) {
       result.order.found.viewingDistance = session.lightField.viewingDistance;
       result.order.found.shear = session.lightField.shear;
     }
