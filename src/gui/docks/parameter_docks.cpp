@@ -5,6 +5,7 @@
 #include <QFileInfo>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QLocale>
 #include <QPushButton>
 #include <QSignalBlocker>
 #include <QToolButton>
@@ -21,6 +22,7 @@
 #include "io/documents/sheet_file.h"
 #include "io/opening/session_around.h"
 #include "io/plugins/display_json.h"
+#include "io/scene/view_source.h"
 #include "picture/scene_text.h"
 
 namespace hogelscope {
@@ -31,6 +33,7 @@ DisplayDock::DisplayDock(SessionModel* model, QWidget* parent)
   auto* lens = form([](ParameterVisitor& v, DisplayParams& p) {
     if (p.lensParams.isGiven()) describe(v, p.lensParams);
   });
+  m_panel = panel;
   panel->hideHeading();
   for (const char* pair : {"hogels", "directions", "fov"}) panel->linkPair(pair, true);
   panel->linkPair("size", false);
@@ -58,6 +61,15 @@ DisplayDock::DisplayDock(SessionModel* model, QWidget* parent)
   for (const auto change : {&SessionModel::opened, &SessionModel::contentChanged})
     connect(m_model, change, lens, show);
   show();
+}
+
+void DisplayDock::setSource(const std::optional<ViewSource>& source) {
+  const DisplayParams known = source ? DisplayParams(source->display) : DisplayParams();
+  for (const auto& [name, counts] :
+       {std::pair("hogels", known.hogels), std::pair("directions", known.directions)})
+    for (std::size_t k = 0; k < counts.size(); ++k)
+      m_panel->showLeftOut(QString("%1.%2").arg(name).arg(k),
+                           source && counts[k] > 0 ? QLocale().toString(counts[k]) : QString());
 }
 
 void DisplayDock::showSheet() {
@@ -225,7 +237,8 @@ void DistortionDock::showLens(const CertifiedLens& lens) {
           ? tr("<b>⚠ %1 % of the pixels have no ray: they would be 90° off the axis or "
                "more.</b><br>")
                 .arg(share, 0, 'f', 1)
-          : tr("<b>⚠ %1 % of the pixels have no ray: the lens folds or ends within the picture.</b><br>")
+          : tr("<b>⚠ %1 % of the pixels have no ray: the lens folds or ends within the "
+               "picture.</b><br>")
                 .arg(share, 0, 'f', 1);
   m_certificate->setText(
       warning +

@@ -20,12 +20,17 @@ class KernelWidget;
 class LensWidget;
 class ParameterForm;
 struct CertifiedLens;
+struct ViewSource;
 
 class DisplayDock : public QWidget {
   Q_OBJECT
 
  public:
   explicit DisplayDock(SessionModel* model, QWidget* parent = nullptr);
+
+  /// Shows the hogels and directions of the light field where the session leaves them out; none
+  /// while it is read.
+  void setSource(const std::optional<ViewSource>& source);
 
  Q_SIGNALS:
   /// An edit has been rejected because the plugin's lens cannot be opened.
@@ -38,6 +43,7 @@ class DisplayDock : public QWidget {
   void askSheet();
 
   SessionModel* m_model;
+  ParameterForm* m_panel = nullptr;
   QWidget* m_sheet;  ///< a lens sheet's calibration, and the button for another one
   QLabel* m_figures;
   QPushButton* m_choose = nullptr;  ///< of a calibration

@@ -69,15 +69,15 @@ Properties::Properties(SessionModel* model, QAction* importAction, QMainWindow* 
       m_column(new QVBoxLayout),
       m_lightField(new LightFieldDock(model)),
       m_numbers(new DesignNumbersWidget(model)),
+      m_display(new DisplayDock(model)),
       m_distortion(new DistortionDock(model, importAction)) {
-  auto* display = new DisplayDock(model);
   auto* sampling = checkedForm<SamplingParams>(
       model, &Session::sampling, [](ParameterVisitor& v, SamplingParams& p) { describe(v, p); },
       [](const SamplingParams&, SamplingParams after) { return after; },
       [this](const QString& why) { Q_EMIT failed(why); });
   sampling->hideHeading();
   add("lightFieldDock", tr("Light field"), m_lightField, window);
-  add("displayDock", tr("Display"), stackWidgets({display, m_numbers}), window);
+  add("displayDock", tr("Display"), stackWidgets({m_display, m_numbers}), window);
   add("twinDock", tr("Twin"), new TwinDock(model), window);
   add("cameraDock", tr("Camera"), new CameraDock(model), window);
   add("eyesDock", tr("Eyes"),
@@ -87,7 +87,7 @@ Properties::Properties(SessionModel* model, QAction* importAction, QMainWindow* 
   add("psfDock", tr("Leakage"), new PsfDock(model), window);
   add("samplingDock", tr("Sampling"), stackWidgets({sampling}), window);
   connect(m_lightField, &LightFieldDock::failed, this, &Properties::failed);
-  connect(display, &DisplayDock::failed, this, &Properties::failed);
+  connect(m_display, &DisplayDock::failed, this, &Properties::failed);
   const QStringList open =
       QSettings().value("window/sections", QStringList{"displayDock", "cameraDock"}).toStringList();
   for (Section* section : m_sections) {

@@ -15,6 +15,7 @@ class QVBoxLayout;
 namespace hogelscope {
 
 class DesignNumbersWidget;
+class DisplayDock;
 class DistortionDock;
 class LightFieldDock;
 class Section;
@@ -29,6 +30,7 @@ class Properties : public QWidget {
 
   [[nodiscard]] LightFieldDock* lightField() const { return m_lightField; }
   [[nodiscard]] DesignNumbersWidget* designNumbers() const { return m_numbers; }
+  [[nodiscard]] DisplayDock* display() const { return m_display; }
   [[nodiscard]] DistortionDock* distortion() const { return m_distortion; }
   /// Returns the section whose content may stand in `dock`; null: none.
   [[nodiscard]] Section* sectionOf(const QDockWidget* dock) const;
@@ -51,6 +53,7 @@ class Properties : public QWidget {
   std::vector<Section*> m_sections;
   LightFieldDock* m_lightField;
   DesignNumbersWidget* m_numbers;
+  DisplayDock* m_display;
   DistortionDock* m_distortion;
 };
 

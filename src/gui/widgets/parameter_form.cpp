@@ -56,11 +56,12 @@ class FieldLabel : public QLabel {
     setContentsMargins(scaled(12), 0, 0, 0);
   }
 
-  [[nodiscard]] int heightForWidth(int width) const override {
-    return std::max(scaled(24), QLabel::heightForWidth(width));
-  }
+  /// All labels have one width, hence one height. QFormLayout would keep the heights of rows that
+  /// have depended on widths after it has shown or hidden others (seen with Qt 6.4).
+  [[nodiscard]] bool hasHeightForWidth() const override { return false; }
   [[nodiscard]] QSize sizeHint() const override {
-    return {scaled(104), heightForWidth(scaled(104))};
+    const int width = scaled(104);
+    return {width, std::max(scaled(24), heightForWidth(width))};
   }
   [[nodiscard]] QSize minimumSizeHint() const override { return sizeHint(); }
 
@@ -181,6 +182,12 @@ void ParameterForm::hideField(const QString& name, bool isHidden) {
   else
     m_hidden.remove(name);
   refresh();
+}
+
+void ParameterForm::showLeftOut(const QString& editor, const QString& text) {
+  auto* box = findChild<QAbstractSpinBox*>(editor);
+  if (box == nullptr || box->specialValueText().isEmpty()) return;
+  box->setSpecialValueText(text.isEmpty() ? tr("not given") : text);
 }
 
 QToolButton* ParameterForm::addButton(const QString& pair, const QString& name, bool isOn,

@@ -48,6 +48,8 @@ class ParameterForm : public QWidget, private ParameterVisitor {
   /// Adds a switch, named "PAIR.NAME", to the row of a pair of numbers. Its icon is NAME, or unNAME
   /// while it is off.
   QToolButton* addButton(const QString& pair, const QString& name, bool isOn, const QString& help);
+  /// Sets what stands in an editor while its number is left out; "": "not given".
+  void showLeftOut(const QString& editor, const QString& text);
   /// Shows the current parameters.
   void refresh();
 

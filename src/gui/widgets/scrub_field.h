@@ -5,11 +5,13 @@
 #pragma once
 
 #include <QDoubleSpinBox>
+#include <QHelpEvent>
 #include <QLineEdit>
 #include <QMouseEvent>
 #include <QPainter>
 #include <QPainterPath>
 #include <QSpinBox>
+#include <QToolTip>
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -53,7 +55,9 @@ class ScrubField : public Box {
 
   /// Returns whole numbers as they are, others with five digits or the whole integer part; the
   /// value keeps more.
-  [[nodiscard]] QString textFromValue(Value value) const override { return inDigits(value, 5); }
+  [[nodiscard]] QString textFromValue(Value value) const override {
+    return inDigits(value, mostDigits);
+  }
   /// A text that nobody has changed does not round the value.
   [[nodiscard]] Value valueFromText(const QString& text) const override {
     if (isLeftOut(text)) return this->minimum();
@@ -66,6 +70,20 @@ class ScrubField : public Box {
   [[nodiscard]] QSize minimumSizeHint() const override { return sizeHint(); }
 
  protected:
+  /// The tooltip begins with the value in all digits, where fewer are shown.
+  bool event(QEvent* event) override {
+    if (event->type() != QEvent::ToolTip || !isReal || isLeftOut(this->text()))
+      return Box::event(event);
+    const QString all =
+        this->locale().toString(double(this->value()), 'g', QLocale::FloatingPointShortest);
+    if (all == shown().text) return Box::event(event);
+    const QWidget* row = this;  // the row has the tooltip of its fields
+    while (row->toolTip().isEmpty() && !row->isWindow()) row = row->parentWidget();
+    QToolTip::showText(static_cast<QHelpEvent*>(event)->globalPos(),
+                       "<p><b>" + (all + " " + unit).trimmed() + "</b></p>" + row->toolTip(), this);
+    return true;
+  }
+
   void mousePressEvent(QMouseEvent* event) override {
     if (event->button() != Qt::LeftButton) return;
     m_pressed = event->globalPosition().x();
@@ -131,15 +149,15 @@ class ScrubField : public Box {
               axis < 0 ? t.text3 : t.axes[std::size_t(axis)]);
     writeLine(painter, inside, Qt::AlignVCenter | Qt::AlignRight, unit, unitFont(), t.text3);
     if (isFocused) return;
-    const QString text = shownText();
-    const bool fits = this->fontMetrics().horizontalAdvance(text) <= textRect().width();
-    writeLine(painter, textRect(), Qt::AlignVCenter, text,
-              fits ? this->font() : textFont(TextSize::caption),
+    const auto [text, font] = shown();
+    writeLine(painter, textRect(), Qt::AlignVCenter, text, font,
               this->isEnabled() && !isLeftOut(this->text()) ? t.text : t.text3);
   }
 
  private:
   static constexpr bool isReal = std::is_same_v<Value, double>;
+  static constexpr int mostDigits = 5;
+  static constexpr int leastDigits = 3;
 
   static QFont letterFont() { return textFont(TextSize::caption, QFont::DemiBold); }
   static QFont unitFont() { return textFont(TextSize::caption); }
@@ -179,14 +197,25 @@ class ScrubField : public Box {
                                  -scaled(6) - width(unit, unitFont()), -2);
   }
 
-  /// Returns the text with fewer digits if it is too wide.
-  [[nodiscard]] QString shownText() const {
-    const QFontMetrics metrics = this->fontMetrics();
+  struct Shown {
+    QString text;
+    QFont font;
+  };
+
+  /// Returns what fits: the text, or as it is too wide with fewer digits, but at least three, or in
+  /// smaller letters.
+  [[nodiscard]] Shown shown() const {
     const int width = textRect().width();
-    QString text = this->text();
-    for (int digits = 4; digits > 0 && !isLeftOut(text); --digits)
-      if (metrics.horizontalAdvance(text) > width) text = inDigits(this->value(), digits);
-    return text;
+    const auto fits = [width](const Shown& shown) {
+      return QFontMetrics(shown.font).horizontalAdvance(shown.text) <= width;
+    };
+    Shown shown{this->text(), this->font()};
+    const bool hasDigits = isReal && !isLeftOut(shown.text);
+    for (int digits = mostDigits - 1; digits >= leastDigits && hasDigits && !fits(shown); --digits)
+      shown.text = inDigits(this->value(), digits);
+    if (!fits(shown)) shown.font = textFont(TextSize::caption);
+    if (!fits(shown)) shown.font.setPixelSize(shown.font.pixelSize() * 5 / 6);
+    return shown;
   }
 
   std::optional<double> m_pressed;  ///< where the mouse was last, on the screen
