@@ -10,6 +10,7 @@
 #include <QHeaderView>
 #include <QLabel>
 #include <QLineEdit>
+#include <QListView>
 #include <QListWidget>
 #include <QProgressBar>
 #include <QPushButton>
@@ -19,6 +20,7 @@
 #include <QStatusBar>
 #include <QTableView>
 #include <QTemporaryDir>
+#include <QUndoStack>
 #include <QtTest>
 #include <cmath>
 
@@ -103,6 +105,7 @@ class TestReportDock : public QObject {
   void addsCameraSets();
 
  private:
+  void theFiguresOfEditedStatesAreStale(const QSignalSpy& told);
   template <class T>
   T* child(const char* name) const {
     return m_window->findChild<T*>(name);
@@ -397,6 +400,28 @@ void TestReportDock::aRowIsComparedInTheView() {
   m_window->grab().save(QCoreApplication::applicationDirPath() + "/report_rows.png");
 }
 
+/// A state that moves, or another display: what was measured is not of what is shown.
+void TestReportDock::theFiguresOfEditedStatesAreStale(const QSignalSpy& told) {
+  auto* model = m_window->findChild<SessionModel*>();
+  const auto stale = [&] { return told.last()[1].value<std::vector<bool>>(); };
+  QVERIFY(std::ranges::count(stale(), true) == 0);
+  model->setCurrentIndex(1);
+  CameraState moved = model->current();
+  moved.camera.eye.x += 0.01;
+  model->setCurrent(moved);
+  QVERIFY(stale()[1] && std::ranges::count(stale(), true) == 1);
+  const QModelIndex row = child<QListView>("stateList")->model()->index(1, 0);
+  QVERIFY(row.data(Qt::ToolTipRole).toString().contains("was measured before"));
+  model->undoStack()->undo();
+  QVERIFY(std::ranges::count(stale(), true) == 0);
+  QVERIFY(row.data(Qt::ToolTipRole).toString().isEmpty());
+  Session wider = model->session();
+  wider.display.fov[0] += 1;
+  model->setContent(wider);
+  QVERIFY(std::ranges::count(stale(), false) == 0);
+  model->undoStack()->undo();
+}
+
 /// And a state that is chosen elsewhere is chosen here.
 void TestReportDock::theSceneIsTold() {
   QSignalSpy told(m_dock, &ReportDock::psnrChanged);
@@ -412,6 +437,7 @@ void TestReportDock::theSceneIsTold() {
   auto* table = child<QTableView>("reportTable");
   chooseTest(1);
   QCOMPARE(last()[1], psnrOf(1, 1));
+  theFiguresOfEditedStatesAreStale(told);
   child<QComboBox>("stateBox")->setCurrentIndex(3);
   QCOMPARE(table->currentIndex().row(), rowOf("s3"));
   QVERIFY(files(*m_window).open(m_folder->filePath("s.json")));

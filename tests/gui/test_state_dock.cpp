@@ -249,7 +249,7 @@ class TestStateDock : public DocksTest {
     filter->clear();
     QCOMPARE(count(), 6);
     QCOMPARE(currentRow(), 2);
-    m_window->findChild<StateDock*>()->showPsnr({30, 20, std::nan(""), HUGE_VAL, 25, 40});
+    m_window->findChild<StateDock*>()->showPsnr({30, 20, std::nan(""), HUGE_VAL, 25, 40}, {});
     filter->setText("psnr < 30");
     QCOMPARE(names(), QStringList({"Fig 2", "Fig 5"}));
     QCOMPARE(at(0).data(Qt::UserRole + 3).toDouble(), 20.0);

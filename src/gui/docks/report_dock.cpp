@@ -10,6 +10,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <set>
 
 #include "core/base/error.h"
 #include "core/optics/eyes.h"
@@ -58,12 +59,21 @@ ReportDock::ReportDock(QWidget* parent)
       m_stateTable(new StateTable(this)),
       m_sorted(new FilteredRows(
           m_stateTable, [this](int row, std::size_t k) { return m_stateTable->numberOf(row, k); })),
-      m_plots(new ReportPlots(m_data)) {
+      m_plots(new ReportPlots(m_data)),
+      m_empty(
+          new QLabel(tr("A report renders every state from the session's light field and from "
+                        "each test, and compares the two.\n\nAdd what a codec made of the light "
+                        "field as a test, then make the report."))) {
   setMinimumWidth(scaled(360));  // less than the plots need, which are then hidden
   m_ui->setupUi(this);
   m_ui->testList->setMaximumHeight(scaled(72));
   m_ui->reportFilter->setMaximumWidth(scaled(240));
   m_ui->parts->addWidget(m_plots);
+  m_empty->setObjectName("reportEmpty");
+  m_empty->setAlignment(Qt::AlignCenter);
+  m_empty->setWordWrap(true);
+  m_empty->setMargin(scaled(40));
+  layout()->addWidget(m_empty);
   m_ui->parts->setSizes({812, 577});
   m_ui->tables->setSizes({200, 400});
   QSizePolicy kept = m_ui->addComparedButton->sizePolicy();
@@ -152,6 +162,7 @@ void ReportDock::setModel(SessionModel* model, QMenu* fileMenu, QMenu* statesMen
   });
   connect(model, &SessionModel::edited, this, &ReportDock::noteEdits);
   connect(model, &SessionModel::statesChanged, this, &ReportDock::noteEdits);
+  connect(model, &SessionModel::contentChanged, this, &ReportDock::noteEdits);
   connect(model, &SessionModel::currentChanged, this, &ReportDock::followSession);
   const auto add = [this](QToolButton* button, const char* image, QMenu* menu,
                           const CommandText& text, auto slot) {
@@ -194,12 +205,13 @@ void ReportDock::forget() {
 
 void ReportDock::noteEdits() {
   if (m_data.rows.empty()) return showIdle();
-  if (m_data.isRead) return;
+  if (m_data.isRead) return emitPsnr();
   const auto stateName = [](const CameraState& state) { return state.camera.name; };
   const Session now = withEyes(m_model->session());
   if (!std::ranges::equal(m_data.session.cameras, now.cameras, {}, stateName, stateName))
     return forget();
   m_ui->reportStale->setVisible(m_data.session != now);
+  emitPsnr();
 }
 
 void ReportDock::addTest(const QString& file) {
@@ -223,6 +235,7 @@ void ReportDock::showOffer() {
 
 void ReportDock::setFolder(const QString& folder) {
   m_ui->reportFolder->setText(folder);
+  showIdle();
 }
 
 void ReportDock::openPage() {
@@ -237,7 +250,31 @@ void ReportDock::showFailure(const QString& line) {
   Q_EMIT failed(line);
 }
 
+/// Returns the number of states of a report in the folder that this window has not made; 0 if there
+/// is none. A report that was stopped goes on, and replaces nothing.
+int ReportDock::statesInFolder() const {
+  const std::string folder = m_ui->reportFolder->text().toStdString();
+  if (!m_data.rows.empty() && !m_data.isRead && m_data.folder == folder) return 0;
+  try {
+    const StoredReport stored = readReport(folder, MetricSet());
+    std::set<std::string> states;
+    for (const ReportRow& row : stored.rows) states.insert(row.state);
+    return int(states.size());
+  } catch (const InputError&) {
+    return 0;
+  }
+}
+
 void ReportDock::make() {
+  if (const int states = m_isReplacing ? 0 : statesInFolder(); states > 0) {
+    m_isReplacing = true;
+    m_ui->makeReportButton->setIdle(tr("Replace report of %n states", "", states), true);
+    m_ui->reportNote->setText(
+        tr("%1 has a report already: click again to replace it, or choose another folder.")
+            .arg(m_ui->reportFolder->text()));
+    m_ui->testsButton->setChecked(true);
+    return;
+  }
   try {
     start();
   } catch (const InputError& error) {
@@ -295,6 +332,10 @@ void ReportDock::start() {
 /// Shows what can be done, except while a report is generated.
 void ReportDock::showIdle() {
   showOffer();
+  m_isReplacing = false;
+  const bool isEmpty = m_data.rows.empty();
+  m_empty->setVisible(isEmpty);
+  m_ui->parts->setVisible(!isEmpty);
   m_ui->makeReportButton->setIdle(
       m_data.rows.empty() ? tr("&Make report") : tr("&Make again"),
       m_model != nullptr && !m_model->session().cameras.empty() && m_ui->testList->count() > 0);
@@ -386,17 +427,36 @@ void ReportDock::showRow(std::size_t index, const ReportRow& row) {
   emitPsnr();
 }
 
+/// Whether a state of the report, or what it saw, has been edited since; `now` has both eyes of its
+/// states. Of a report that was read only the eyes' places are known.
+bool ReportDock::isStale(std::size_t state, const Session& now) const {
+  const auto& [name, eye] = std::tie(m_data.session.cameras[state].camera.name,
+                                     m_data.rows[m_data.order().row(state, m_test)].eye);
+  const auto own = std::ranges::find_if(
+      now.cameras, [&](const CameraState& each) { return each.camera.name == name; });
+  if (own == now.cameras.end()) return false;
+  if (m_data.isRead) return length(own->camera.eye - eye) > 1e-6;
+  return *own != m_data.session.cameras[state];
+}
+
 void ReportDock::emitPsnr() {
   std::vector<double> dB;
+  std::vector<bool> stale;
   if (!m_data.rows.empty()) {
+    const Session now = withEyes(m_model->session());
+    Session measured = m_data.session;
+    measured.cameras = now.cameras;
     dB.assign(m_model->session().cameras.size(), std::numeric_limits<double>::quiet_NaN());
+    stale.assign(dB.size(), !m_data.isRead && measured != now);
     for (std::size_t state = 0; state < m_data.session.cameras.size(); ++state)
-      if (const auto index = m_data.stateIn(m_model->session(), state))
+      if (const auto index = m_data.stateIn(m_model->session(), state)) {
         // The worse one of two eyes; NaN gives way.
         dB[*index] = std::fmin(dB[*index], m_data.psnr(m_data.order().row(state, m_test)));
+        if (isStale(state, now)) stale[*index] = true;
+      }
   }
   if (std::ranges::all_of(dB, [](double value) { return std::isnan(value); })) dB.clear();
-  Q_EMIT psnrChanged(dB);
+  Q_EMIT psnrChanged(dB, stale);
 }
 
 std::optional<std::size_t> ReportDock::chosenState() const {

@@ -42,8 +42,8 @@ class ReportDock : public QWidget {
 
  Q_SIGNALS:
   /// Passes the PSNR in dB of every state under the chosen test; NaN for states without one (yet).
-  /// Empty if there is none at all.
-  void psnrChanged(const std::vector<double>& dB);
+  /// Empty if there is none at all. A stale one is of a state, or a display, that was edited since.
+  void psnrChanged(const std::vector<double>& dB, const std::vector<bool>& isStale);
   /// Requests a comparison of the session's light field with `file` in the view.
   void comparisonAsked(const QString& file);
   void failed(const QString& line);
@@ -61,6 +61,7 @@ class ReportDock : public QWidget {
   void openPage();
   void start();
   void make();
+  [[nodiscard]] int statesInFolder() const;
   void showFailure(const QString& line);
   void showIdle();
   void finish(const Report& report, const std::vector<std::optional<double>>& rates);
@@ -77,6 +78,7 @@ class ReportDock : public QWidget {
   void showChosen();
   void compare();
   void emitPsnr();
+  [[nodiscard]] bool isStale(std::size_t state, const Session& now) const;
   [[nodiscard]] std::optional<std::size_t> chosenState() const;
 
   SessionModel* m_model = nullptr;
@@ -92,6 +94,8 @@ class ReportDock : public QWidget {
   FilteredRows* m_sorted;
   ReportPlots* m_plots;
   QString m_offered;
+  bool m_isReplacing = false;  ///< a second click replaces the report of another session
+  QLabel* m_empty;             ///< what to do, in place of tables without a report
   QElapsedTimer m_clock;
 };
 

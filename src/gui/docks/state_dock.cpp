@@ -28,7 +28,14 @@ namespace hogelscope {
 
 namespace {
 
-enum StateRole { detailRole = Qt::UserRole, pictureRole, currentRole, psnrRole, shareRole };
+enum StateRole {
+  detailRole = Qt::UserRole,
+  pictureRole,
+  currentRole,
+  psnrRole,
+  shareRole,
+  staleRole
+};
 
 /// Returns a row's second line: where the eye is, lens and leakage.
 QString detailOf(const DisplayParams& display, const CameraState& state) {
@@ -59,6 +66,7 @@ class StateRows : public QAbstractListModel {
 
   QHash<QString, QImage> pictures;  ///< by the states' names, so that they follow a moved state
   std::vector<double> psnr;         ///< dB, of each state; empty: none
+  std::vector<bool> isStale;        ///< of psnr
 
   /// Returns PSNR, sigma, whether there is a lens, distance and angle; NaN: there is none.
   [[nodiscard]] std::array<double, 5> numbersOf(std::size_t row) const {
@@ -94,6 +102,13 @@ class StateRows : public QAbstractListModel {
     if (role == currentRole) return row == m_model->currentIndex();
     if (role == psnrRole && row < psnr.size()) return psnr[row];
     if (role == shareRole && row < psnr.size()) return shareOf(psnr[row]);
+    const bool isOld = row < psnr.size() && row < isStale.size() && isStale[row];
+    if (role == staleRole) return isOld;
+    if (role == Qt::ToolTipRole && isOld)
+      return StateDock::tr(
+                 "%1 dB was measured before this state or the display was edited: make "
+                 "the report again")
+          .arg(psnr[row], 0, 'f', 1);
     return {};
   }
 
@@ -191,13 +206,14 @@ class StateDelegate : public QStyledItemDelegate {
   static void paintPsnr(QPainter* painter, const QRect& place, const QModelIndex& index,
                         const QColor& faint) {
     const double dB = index.data(psnrRole).toDouble();
+    const bool isStale = index.data(staleRole).toBool();
     const QString unit = std::isfinite(dB) ? " dB" : "";
     painter->setFont(textFont(TextSize::caption));
     painter->setPen(faint);
     painter->drawText(place, Qt::AlignRight, unit);
     const int unitWidth = painter->fontMetrics().horizontalAdvance(unit);
     painter->setFont(textFont(TextSize::base, QFont::Medium));
-    painter->setPen(tokens().text);
+    painter->setPen(isStale ? faint : tokens().text);
     painter->drawText(place.adjusted(0, 0, -unitWidth, 0), Qt::AlignRight,
                       std::isfinite(dB) ? QString::number(dB, 'f', 1)
                       : std::isnan(dB)  ? "–"
@@ -205,9 +221,11 @@ class StateDelegate : public QStyledItemDelegate {
     QRect bar(place.left(), place.bottom() - scaled(8), place.width(), scaled(3));
     painter->fillRect(bar, tokens().line);
     const double share = std::isnan(dB) ? 0 : 0.2 + 0.8 * index.data(shareRole).toDouble();
+    if (isStale)
+      painter->fillRect(place.left() - scaled(6), place.top(), 2, place.height(), tokens().amber);
     bar.setWidth(int(share * bar.width()));  // that of the least is seen, too
     const auto [r, g, b] = falseColour(index.data(shareRole).toDouble());
-    painter->fillRect(bar, QColor::fromRgb(r, g, b));
+    painter->fillRect(bar, isStale ? tokens().strongLine : QColor::fromRgb(r, g, b));
   }
 };
 
@@ -270,9 +288,9 @@ void StateDock::connectModel() {
   connect(m_model, &SessionModel::opened, this, [this] {
     m_rows->pictures.clear();
     m_ui->stateFilter->clear();
-    showPsnr({});
+    showPsnr({}, {});
   });
-  connect(m_model, &SessionModel::statesChanged, this, [this] { showPsnr({}); });
+  connect(m_model, &SessionModel::statesChanged, this, [this] { showPsnr({}, {}); });
   for (const auto signal : {&SessionModel::edited, &SessionModel::contentChanged})
     connect(m_model, signal, this, [this] { follow([this] { m_rows->refresh(); }); });
   connect(m_model, &SessionModel::currentChanged, this, &StateDock::showCurrent);
@@ -318,9 +336,10 @@ void StateDock::follow(Change change) {
   showCurrent();
 }
 
-void StateDock::showPsnr(const std::vector<double>& dB) {
+void StateDock::showPsnr(const std::vector<double>& dB, const std::vector<bool>& isStale) {
   follow([&] {
     m_rows->psnr = dB;
+    m_rows->isStale = isStale;
     m_rows->refresh();
   });
 }

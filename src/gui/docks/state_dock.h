@@ -34,8 +34,9 @@ class StateDock : public QWidget {
 
   /// Opens the editor of the current state's name.
   void editName();
-  /// Shows the PSNR in dB of each state; empty: none. Infinite: identical; NaN: no view.
-  void showPsnr(const std::vector<double>& dB);
+  /// Shows the PSNR in dB of each state; empty: none. Infinite: identical; NaN: no view. A stale
+  /// one is grey and marked.
+  void showPsnr(const std::vector<double>& dB, const std::vector<bool>& isStale);
 
  protected:
   void dragEnterEvent(QDragEnterEvent* event) override;

@@ -44,6 +44,9 @@ PolledBar::PolledBar(Share share, QWidget* parent)
 
 PolledBar::PolledBar(Task* task, QWidget* parent)
     : PolledBar([task] { return task->share(); }, parent) {
+  QSizePolicy policy = sizePolicy();
+  policy.setRetainSizeWhenHidden(true);  // what stands beside it stays where it is
+  setSizePolicy(policy);
   hide();
   connect(task, &Task::runningChanged, this, &QWidget::setVisible);
 }
