@@ -65,11 +65,13 @@ QString detailsOf(const std::vector<TradeoffRow>& rows, std::size_t which,
   return text;
 }
 
-QString cardText(Purpose purpose, const TradeoffRow& row, bool isUsed, bool isLine,
-                 const ChartColours& colours, double em) {
+QString cardText(const std::vector<Purpose>& alike, const TradeoffRow& row, bool isUsed,
+                 bool isLine, const ChartColours& colours, double em) {
   const QColor& faint = colours.text2;
-  const QString ring = styled(ringColour(purpose, colours), em, QStringLiteral("<b>○</b> "));
-  const QString title = ring + styled(faint, em, tr(titles[std::size_t(purpose)]));
+  QString title;
+  for (const Purpose purpose : alike)
+    title += styled(ringColour(purpose, colours), em, QStringLiteral("<b>○</b> ")) +
+             styled(faint, em, tr(titles[std::size_t(purpose)]) + "&nbsp; ");
   const QString error = row.rmse > 0 ? tr("error %1").arg(figureText(row.rmse)) : tr("no error");
   const QString figures =
       styled(faint, captionOf(em),

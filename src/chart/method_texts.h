@@ -16,9 +16,9 @@ QString rateText(const TradeoffRow& row);
 /// Returns name, time, error and a better method of a measured row.
 QString detailsOf(const std::vector<TradeoffRow>& rows, std::size_t row,
                   const ChartColours& colours, double em);
-/// Returns the text of the button for the recommended row, in one line or three. `isUsed`: the live
-/// view is rendered by the method.
-QString cardText(Purpose purpose, const TradeoffRow& row, bool isUsed, bool isLine,
-                 const ChartColours& colours, double em);
+/// Returns the text of the button for the row that is recommended for some purposes, in one line or
+/// three. `isUsed`: the live view is rendered by the method.
+QString cardText(const std::vector<Purpose>& alike, const TradeoffRow& row, bool isUsed,
+                 bool isLine, const ChartColours& colours, double em);
 
 }  // namespace hogelscope

@@ -21,7 +21,7 @@ namespace hogelscope {
 
 class TradeoffChart {
  public:
-  /// `question` begins the title of the error, such as "Error against the display as built". Rows
+  /// `question` begins the title of the error, such as "Error against the smooth ideal". Rows
   /// without a time (> 0) or an error (>= 0) are omitted.
   TradeoffChart(std::vector<TradeoffRow> rows, std::string question);
 

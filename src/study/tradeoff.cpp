@@ -117,7 +117,7 @@ void ask(Question question, std::vector<RenderJob>& views) {
 }
 
 std::string questionText(Question question) {
-  return question == Question::displayAsBuilt ? "the display as built" : "the ideal picture";
+  return question == Question::displayAsBuilt ? "the exact pixels" : "the smooth ideal";
 }
 
 std::string details(Question question) {

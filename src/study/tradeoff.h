@@ -50,7 +50,7 @@ enum class Question {
 Question questionOf(const SamplingParams& sampling);
 /// Changes the views' sampling, so that errors are measured for `question`.
 void ask(Question question, std::vector<RenderJob>& views);
-/// Returns "the display as built" or "the ideal picture"; the next function explains it.
+/// Returns "the exact pixels" or "the smooth ideal"; the next function explains it.
 std::string questionText(Question question);
 std::string details(Question question);
 
@@ -96,6 +96,7 @@ struct Budget {
 
 struct Tradeoff {
   std::vector<TradeoffRow> rows;
+  std::vector<TradeoffRow> otherRows;  ///< the same times with the other question's errors
   std::size_t timedViews = 0;
   std::size_t errorViews = 0;  ///< the number of views for errors
 };
@@ -105,9 +106,11 @@ struct Tradeoff {
 /// or as many as fit; the rows contain their number. The rest goes to interleaved runs, until each
 /// method's median is known to two per cent. Slow methods are timed once, on the pixels of their
 /// error. All rows have a time and an error with any budget. Errors over all pixels do not depend
-/// on threads or times. Throws InputError, Cancelled.
+/// on threads or times. `hasBoth`: the errors for the other question are measured too, in the same
+/// pictures. Throws InputError, Cancelled.
 Tradeoff measureTradeoff(const std::vector<RenderJob>& views, const Budget& budget,
-                         const ParallelRows& parallelRows, const Progress& progress);
+                         const ParallelRows& parallelRows, const Progress& progress,
+                         bool hasBoth = false);
 
 /// Sets isPareto: no other row is at most as slow and at most as inaccurate, and better in one of
 /// them.

@@ -90,13 +90,17 @@ struct Cost {
 class Measurement {
  public:
   Measurement(const std::vector<RenderJob>& views, const Budget& budget,
-              const ParallelRows& parallelRows, const Progress& progress)
+              const ParallelRows& parallelRows, const Progress& progress, bool hasBoth)
       : m_methods(methodsFor(views)),
-        m_question(questionOf(views.front().sampling)),
+        m_questions{questionOf(views.front().sampling)},
         m_hasPupil(havePupil(views)),
         m_budget(budget),
         m_start(budget.clock()),
         m_parallelRows(parallelRows) {
+    if (hasBoth)
+      m_questions.push_back(m_questions.front() == Question::displayAsBuilt
+                                ? Question::idealPicture
+                                : Question::displayAsBuilt);
     for (const std::size_t k : spreadOrder(views.size())) m_views.push_back(views[k]);
     for (const RenderJob& job : views) m_pixels += pixelsOf(job);
     if (progress)
@@ -131,11 +135,11 @@ class Measurement {
     return {(m_budget.clock() - start) * pixelsOf(job) / pixelsOf(part), divisor};
   }
 
-  [[nodiscard]] Image reference(const RenderJob& job, int step) const {
-    NamedMethod method = m_question == Question::displayAsBuilt
+  [[nodiscard]] Image reference(Question question, const RenderJob& job, int step) const {
+    NamedMethod method = question == Question::displayAsBuilt
                              ? NamedMethod{"display"}
                              : NamedMethod{"ideal", Reconstruction::quadrilinear, 8};
-    if (m_question == Question::displayAsBuilt && !m_hasPupil)
+    if (question == Question::displayAsBuilt && !m_hasPupil)
       return sampledReference(applyMethod(method, job), step, m_parallelRows, m_pulse);
     if (m_hasPupil) method.pupilSamples = Aperture::mostSamples;
     Renderer renderer(m_parallelRows);
@@ -145,7 +149,7 @@ class Measurement {
   [[nodiscard]] Cost timedReference(const RenderJob& job, int divisor) const {
     const RenderJob part = smaller(job, divisor);
     const double start = m_budget.clock();
-    (void)reference(part, 1);
+    for (const Question question : m_questions) (void)reference(question, part, 1);
     return {(m_budget.clock() - start) * pixelsOf(job) / pixelsOf(part), divisor};
   }
 
@@ -188,19 +192,22 @@ class Measurement {
     for (const RenderJob& job : m_views)
       coarsest = std::min(coarsest, coarsestStep(job.state.camera.res[1]));
     const ErrorPlan plan = planErrors(m_errorCosts, coarsest, m_views.size(), left(errorPart));
-    m_errors.resize(m_methods.size());
+    m_errors.assign(m_questions.size(), std::vector<ErrorSum>(m_methods.size()));
     for (std::size_t k = 0; k < plan.views; ++k) {
       if (k > 0 && left(errorLimit) <= 0) break;
       ++m_errorViews;
       const RenderJob& job = m_views[k];
-      const Image expected = reference(job, plan.steps.front());
+      std::vector<Image> expected;
+      for (const Question question : m_questions)
+        expected.push_back(reference(question, job, plan.steps.front()));
       Renderer renderer(m_parallelRows);  // reuses the lens of methods that share one
       for (std::size_t m = 0; m < m_methods.size(); ++m) {
         const int step = plan.steps[m + 1];
         const RenderJob used = applyMethod(m_methods[m], job);
         const Image image = sampledPicture(used, step, renderer, m_pulse);
-        for (const Band& band : sampledBands(image.height, step))
-          add(expected, image, band, m_errors[m]);
+        for (std::size_t q = 0; q < expected.size(); ++q)
+          for (const Band& band : sampledBands(image.height, step))
+            add(expected[q], image, band, m_errors[q][m]);
       }
     }
   }
@@ -219,9 +226,12 @@ class Measurement {
     Tradeoff result;
     result.timedViews = plan.views;
     result.errorViews = m_errorViews;
-    for (std::size_t m = 0; m < m_methods.size(); ++m)
-      result.rows.push_back(row(m, runs[m], plan.views));
-    markPareto(result.rows);
+    for (std::size_t q = 0; q < m_questions.size(); ++q) {
+      std::vector<TradeoffRow>& rows = q == 0 ? result.rows : result.otherRows;
+      for (std::size_t m = 0; m < m_methods.size(); ++m)
+        rows.push_back(row(m, m_errors[q][m], runs[m], plan.views));
+      markPareto(rows);
+    }
     return result;
   }
 
@@ -245,8 +255,9 @@ class Measurement {
   }
 
   /// Returns a row; without runs the time is that of the trial.
-  [[nodiscard]] TradeoffRow row(std::size_t m, std::vector<double> runs, std::size_t views) const {
-    TradeoffRow row = rowOf(m_methods[m], m_errors[m]);
+  [[nodiscard]] TradeoffRow row(std::size_t m, const ErrorSum& error, std::vector<double> runs,
+                                std::size_t views) const {
+    TradeoffRow row = rowOf(m_methods[m], error);
     double rays = 0;
     double seconds = 0;
     double pixels = 0;
@@ -267,7 +278,7 @@ class Measurement {
 
   std::vector<RenderJob> m_views;  ///< in an order of which every prefix is spread over all
   std::vector<NamedMethod> m_methods;
-  Question m_question;
+  std::vector<Question> m_questions;  ///< the views' own first
   bool m_hasPupil;
   Budget m_budget;
   double m_start;
@@ -276,17 +287,17 @@ class Measurement {
   double m_done = 0;                        ///< the share done, if the work ends before the budget
   double m_pixels = 0;                      ///< of all views
   std::vector<std::vector<Cost>> m_trials;  ///< of each method and the first views
-  std::vector<PictureCost> m_errorCosts;    ///< of all views, the reference's first
-  std::vector<ErrorSum> m_errors;           ///< of each method
+  std::vector<PictureCost> m_errorCosts;    ///< of all views, those of the references first
+  std::vector<std::vector<ErrorSum>> m_errors;  ///< of each question and method
   std::size_t m_errorViews = 0;
 };
 
 }  // namespace
 
 Tradeoff measureTradeoff(const std::vector<RenderJob>& views, const Budget& budget,
-                         const ParallelRows& parallelRows, const Progress& progress) {
+                         const ParallelRows& parallelRows, const Progress& progress, bool hasBoth) {
   for (const RenderJob& view : views) requireHogels(view.display, "a trade-off");
-  return Measurement(views, budget, parallelRows, progress).run();
+  return Measurement(views, budget, parallelRows, progress, hasBoth).run();
 }
 
 }  // namespace hogelscope

@@ -58,7 +58,7 @@ class TestTradeoffJob : public QObject {
     QCOMPARE(outcome.err, QByteArray());
     QCOMPARE(outcome.status, 0);
     QCOMPARE(namesIn("out"), (QStringList{"tradeoff.csv", "tradeoff.png", "tradeoff.svg"}));
-    QVERIFY(outcome.out.startsWith("error against the display as built"));
+    QVERIFY(outcome.out.startsWith("error against the exact pixels"));
     QImage picture("out/tradeoff.png");
     QCOMPARE(picture.size(), QSize(1440, 1040));
     QList<QStringList> rows = tableOf("out/tradeoff.csv");
@@ -81,7 +81,7 @@ class TestTradeoffJob : public QObject {
       QCOMPARE(row[errorPixels], QString("1200"));
     }
     QVERIFY2(named >= 8, qPrintable(QString::number(named)));  // others have no free place
-    QVERIFY(svg.contains("Error against the display as built, RMS in code values"));
+    QVERIFY(svg.contains("Error against the exact pixels, RMS in code values"));
   }
 
   void aSmallBudgetHasAllRows() {

@@ -104,6 +104,11 @@ class TestTradeoffDock : public WindowTest {
       const QString method = QString::fromStdString(rows()[*recommended(rows(), purpose)].method);
       auto* label = button(name)->findChild<QLabel*>();
       QVERIFY2(label->text().contains("<b>" + method + "</b>"), name);
+      const auto first = std::ranges::find_if(cards, [&](const auto& card) {
+        return recommended(rows(), card.second) == recommended(rows(), purpose);
+      });
+      QCOMPARE(button(name)->isVisible(), first->first == name);
+      if (!button(name)->isVisible()) continue;  // one card is for all that are alike
       QTest::mouseClick(label, Qt::LeftButton);  // as the pointer is over the text
       QTRY_VERIFY2_WITH_TIMEOUT(message().endsWith("method: " + method), name, patience);
       QVERIFY2(button(name)->isChecked(), name);
@@ -186,32 +191,29 @@ class TestTradeoffDock : public WindowTest {
     QVERIFY(!isBeside() && table()->y() > chart()->y());
   }
 
-  /// Each question keeps its answers; the session's own comes first.
+  /// One measurement has the errors for both, and the methods that smooth are nearer to the ideal.
   void bothQuestions() {
     auto* ideal = child<QToolButton>("idealQuestion");
     auto* display = child<QToolButton>("displayQuestion");
-    const auto errorOf = [this](const char* method) {
-      return std::ranges::find(rows(), method, &TradeoffRow::method)->rmse;
+    const auto rowOf = [this](const char* method) {
+      return *std::ranges::find(rows(), method, &TradeoffRow::method);
     };
-    QVERIFY(display->isChecked());  // nearest, one ray
-    measure();
-    QCOMPARE(errorOf("exact"), 0.0);
-    QTest::mouseClick(ideal, Qt::LeftButton);
     QVERIFY(ideal->isChecked() && !display->isChecked());
-    QVERIFY(rows().empty());
     measure();
-    QCOMPARE(errorOf("quadrilinear 8×8"), 0.0);
-    QVERIFY(errorOf("exact") > 0);
+    QCOMPARE(rowOf("quadrilinear 8×8").rmse, 0.0);
+    QVERIFY(rowOf("exact").rmse > 0);
+    const double time = rowOf("exact").milliseconds;
     QTest::mouseClick(display, Qt::LeftButton);
-    QVERIFY(!rows().empty());
-    QCOMPARE(errorOf("exact"), 0.0);
-    // Another sampling has another question.
-    m_window->findChild<TradeoffWidget*>()->forgetChoice();
+    QVERIFY(display->isChecked() && !rows().empty());
+    QCOMPARE(rowOf("exact").rmse, 0.0);
+    QVERIFY(rowOf("quadrilinear 8×8").rmse > 0);
+    QCOMPARE(rowOf("exact").milliseconds, time);
+    // Another sampling forgets what was measured, and the question stays.
     Session session = m_model->session();
     session.sampling.samplesPerPixel = 2;
     m_model->setContent(session);
-    QTRY_VERIFY_WITH_TIMEOUT(ideal->isChecked(), patience);
-    QVERIFY(rows().empty());
+    QTRY_VERIFY_WITH_TIMEOUT(rows().empty(), patience);
+    QVERIFY(display->isChecked());
   }
 
   void coloursFollowTheScheme() {

@@ -87,7 +87,7 @@ Job tradeoffJob() {
           "DIR/tradeoff.csv, .png, .svg.",
       .details =
           "With sampling.reconstruction nearest and one ray a pixel the reference is the "
-          "display as built, with any other sampling the ideal picture. The table says on "
+          "display's exact pixels, with any other sampling the smooth ideal. The table says on "
           "how many pixels each figure was measured, and how well a time is known.",
       .examples =
           "  hogelscope --tradeoff --session data/table1.json --output tradeoff --budget 20\n"

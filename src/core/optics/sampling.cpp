@@ -15,7 +15,7 @@ void describe(ParameterVisitor& v, SamplingParams& p) {
   v.field({"mapping", "Lens mapping"}, mapping, mappingNames,
           "Lens: exact inverts the distortion, as a real camera; direct applies it, as the paper.");
   v.field("reconstruction", reconstruction, reconstructionNames,
-          "The display as built, or interpolated between directions, or between hogels too.");
+          "The display's exact pixels, or interpolated between directions, or between hogels too.");
   v.field({"samplesPerPixel", "Rays a pixel, n × n"}, samplesPerPixel, {1, 64, 1, false, 1, 8}, "",
           "n takes n×n rays in each pixel; rays that see nothing count as black.");
   v.field("tolerance", tolerance, {0, 100, 0.1, false, 0, 10}, "code values",

@@ -141,14 +141,10 @@ void TradeoffWidget::connectParts() {
   connect(m_ui->methodTable, &QTableWidget::currentCellChanged, this, [this](int line) {
     if (m_ui->methodTable->hasFocus() && line >= 0) m_ui->tradeoffChart->point(rowOfLine(line));
   });
-  const auto askFor = [this](Question question) {
-    m_hasAsked = true;
-    show(question);
-  };
   connect(m_ui->displayQuestion, &QToolButton::clicked, this,
-          [askFor] { askFor(Question::displayAsBuilt); });
+          [this] { show(Question::displayAsBuilt); });
   connect(m_ui->idealQuestion, &QToolButton::clicked, this,
-          [askFor] { askFor(Question::idealPicture); });
+          [this] { show(Question::idealPicture); });
   for (const Purpose purpose : purposes)
     connect(m_cards[std::size_t(purpose)], &QPushButton::clicked, this,
             [this, purpose] { choose(recommended(rows(), purpose)); });
@@ -188,15 +184,14 @@ void TradeoffWidget::arrange() {
   showChoice();
 }
 
-void TradeoffWidget::forget(bool canMeasure, Question question) {
+void TradeoffWidget::forget(bool canMeasure) {
   m_canMeasure = canMeasure;
   m_results = {};
-  show(m_hasAsked ? m_question : question);
+  show(m_question);
   if (m_task->isRunning()) m_ui->measureButton->stop();
 }
 
 void TradeoffWidget::forgetChoice() {
-  m_hasAsked = false;
   m_chosen.clear();
   showChoice();
 }
@@ -210,10 +205,13 @@ void TradeoffWidget::measure() {
   m_task->start(
       [this, budget, question = m_question, views = std::move(views)](const Progress& progress) {
         const double start = budget.clock();
-        const Tradeoff tradeoff = measureTradeoff(views, budget, parallelRows, progress);
-        return [this, question, result = Result{tradeoff.rows, budget.clock() - start}] {
-          if (m_ui->measureButton->isEnabled())  // no stop was requested just before the end
-            m_results[std::size_t(question)] = result;
+        const Tradeoff tradeoff = measureTradeoff(views, budget, parallelRows, progress, true);
+        const double seconds = budget.clock() - start;
+        return [this, question, seconds, tradeoff] {
+          if (!m_ui->measureButton->isEnabled())
+            return;  // a stop was requested just before the end
+          m_results[std::size_t(question)] = {tradeoff.rows, seconds};
+          m_results[1 - std::size_t(question)] = {tradeoff.otherRows, seconds};
         };
       });
 }
@@ -284,10 +282,14 @@ void TradeoffWidget::showChoice() {
   for (const Purpose purpose : purposes) {
     const std::optional<std::size_t> best = recommended(rows, purpose);
     if (!best) continue;
+    std::vector<Purpose> alike;  // one card is for all purposes that have the same method
+    for (const Purpose other : purposes)
+      if (recommended(rows, other) == best) alike.push_back(other);
     QPushButton* card = m_cards[std::size_t(purpose)];
+    card->setVisible(alike.front() == purpose);
     card->setChecked(row == best);
     card->setAccessibleName(QString::fromStdString(rows[*best].method));
-    card->findChild<QLabel*>()->setText(cardText(purpose, rows[*best], row == best, isLow(),
+    card->findChild<QLabel*>()->setText(cardText(alike, rows[*best], row == best, isLow(),
                                                  chartColours(), scaled(int(TextSize::base))));
   }
   if (!row) return m_ui->methodTable->clearSelection();

@@ -63,9 +63,9 @@ class TradeoffWidget : public QWidget {
   /// Sets the function that gives the views of a measurement, when one begins.
   void setViews(std::function<std::vector<RenderJob>()> views) { m_viewsNow = std::move(views); }
   /// Drops the results of other views than those that setViews() gives now, and stops a measurement
-  /// of them. `canMeasure`: there are views. `question`: the session's own.
-  void forget(bool canMeasure, Question question);
-  /// Clears the choices of a method and of a question without emitting methodChosen().
+  /// of them. `canMeasure`: there are views.
+  void forget(bool canMeasure);
+  /// Clears the choice of a method without emitting methodChosen().
   void forgetChoice();
 
  Q_SIGNALS:
@@ -97,9 +97,8 @@ class TradeoffWidget : public QWidget {
 
   std::function<std::vector<RenderJob>()> m_viewsNow;
   std::array<Result, 2> m_results;  ///< of each question; without rows if it is not measured
-  Question m_question = Question::displayAsBuilt;
-  bool m_hasAsked = false;  ///< the user chose the question
-  QString m_chosen;         ///< the chosen method's name; empty: the session's own
+  Question m_question = Question::idealPicture;
+  QString m_chosen;  ///< the chosen method's name; empty: the session's own
   bool m_canMeasure = false;
   std::unique_ptr<Ui::TradeoffWidget> m_ui;
   Task* m_task;
