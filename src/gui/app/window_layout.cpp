@@ -134,12 +134,23 @@ QList<QDockWidget*> WindowLayout::docks() const {
   return m_window->findChildren<QDockWidget*>();
 }
 
-/// Raises a dock that is hidden or behind another one; closes a visible one.
+/// Whether the keyboard is in a part of the window; also for one that has nothing to focus.
+bool WindowLayout::hasFocusIn(const QWidget* part) const {
+  const QWidget* focused = m_window->focusWidget();
+  const auto fields = part->findChildren<QWidget*>();
+  const bool canHave = std::ranges::any_of(fields, [](const QWidget* field) {
+    return field->isEnabled() && (field->focusPolicy() & Qt::TabFocus) != 0;
+  });
+  return !canHave || (focused != nullptr && part->isAncestorOf(focused));
+}
+
+/// Raises a dock that is hidden or behind another one; closes a visible one that has the focus, and
+/// gives it to one that does not.
 void WindowLayout::toggle(QDockWidget* dock) {
   if (isHome()) return dock->toggleViewAction()->setChecked(false);
   Section* section = m_parts.sections->sectionOf(dock);
   if (section != nullptr && !section->isOut()) return toggle(section);
-  if (isSeen(dock)) {
+  if (isSeen(dock) && hasFocusIn(dock)) {
     dock->close();
   } else {
     dock->show();
@@ -150,7 +161,7 @@ void WindowLayout::toggle(QDockWidget* dock) {
 }
 
 void WindowLayout::toggle(Section* section) {
-  const bool shows = !isSeen(section->content());
+  const bool shows = !isSeen(section->content()) || !hasFocusIn(section->content());
   if (shows) {
     m_parts.properties->show();
     m_parts.properties->raise();
@@ -183,7 +194,7 @@ void WindowLayout::resize(const Workspace& workspace) {
   m_window->resizeDocks(
       {m_parts.states, m_parts.scene, m_parts.properties, m_parts.measure, m_parts.tradeoff},
       {hasScene ? atWidth(width, 320, 640) : 230, atWidth(width, 320, 640),
-       atWidth(width, 296, 320), 2 * width / 3, 3 * width / 5},
+       atWidth(width, 312, 340), 2 * width / 3, 3 * width / 5},
       Qt::Horizontal);
   m_window->resizeDocks({m_parts.scene, m_parts.states}, {height * 11 / 20, height * 9 / 20},
                         Qt::Vertical);

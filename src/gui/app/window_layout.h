@@ -67,6 +67,7 @@ class WindowLayout : public QObject {
   void arrange(const Workspace& workspace);
   void resize(const Workspace& workspace);
   void toggle(QDockWidget* dock);
+  [[nodiscard]] bool hasFocusIn(const QWidget* part) const;
   void toggle(Section* section);
   void showOnly(QAction* action, bool isView);
   [[nodiscard]] bool isHome() const;

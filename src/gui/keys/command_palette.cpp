@@ -12,6 +12,7 @@
 #include <QStyledItemDelegate>
 #include <QToolButton>
 #include <algorithm>
+#include <array>
 #include <tuple>
 
 #include "core/base/word_fit.h"
@@ -74,6 +75,27 @@ class EntryDelegate : public QStyledItemDelegate {
     painter->restore();
   }
 };
+
+/// Returns how well a word fits an entry, itself or by another word for the same thing.
+int fitOf(const std::string& word, const std::string& title, const std::string& path) {
+  using Words = std::pair<std::string_view, std::string_view>;
+  static constexpr std::array others{
+      Words{"generate", "make"},     Words{"metric", "report"},      Words{"psnr", "report"},
+      Words{"flip", "report"},       Words{"codec", "report"},       Words{"leakage", "psf"},
+      Words{"psf", "leakage"},       Words{"blur", "leakage"},       Words{"crosstalk", "leakage"},
+      Words{"fisheye", "model"},     Words{"distortion", "lens"},    Words{"calibration", "import"},
+      Words{"unit", "twin"},         Words{"tolerance", "twin"},     Words{"error", "difference"},
+      Words{"export", "save"},       Words{"screenshot", "picture"}, Words{"aperture", "pupil"},
+      Words{"depth", "measure"},     Words{"ipd", "stereo"},         Words{"theme", "dark"},
+      Words{"font", "text"},         Words{"speed", "method"},       Words{"views", "directions"},
+      Words{"resolution", "res"},    Words{"video", "animation"},    Words{"shortcut", "keys"},
+      Words{"trajectory", "camera"}, Words{"quit", "close"}};
+  int fit = wordFit(word, title, path);
+  for (const auto& [asked, other] : others)  // from the third letter on
+    if (word.size() > 2 && asked.starts_with(word))
+      fit = std::max(fit, wordFit(other, title, path) / 2);
+  return fit;
+}
 
 /// Shows the field and moves the focus into it.
 void goTo(QWidget* editor) {
@@ -171,7 +193,7 @@ void CommandPalette::search(const QString& text) {
     const std::string path = entry.path.toLower().toStdString();
     int sum = 0;
     const bool fits = std::ranges::all_of(words, [&](const QString& word) {
-      const int fit = wordFit(word.toStdString(), title, path);
+      const int fit = fitOf(word.toStdString(), title, path);
       sum += fit;
       return fit > 0;
     });
@@ -190,6 +212,11 @@ void CommandPalette::search(const QString& text) {
     item->setData(pathRole, isField ? QString() : entry.path);
     item->setData(rightRole, entry.right);
     if (isDisabled) item->setFlags(Qt::NoItemFlags);
+  }
+  if (found.empty()) {
+    auto* none =
+        new QListWidgetItem(tr("Nothing fits “%1”").arg(text.trimmed()), m_ui->paletteList);
+    none->setFlags(Qt::NoItemFlags);
   }
   m_ui->paletteList->setCurrentRow(0);
   const int width = std::clamp(m_window->width() * 2 / 5, scaled(380), scaled(560));
