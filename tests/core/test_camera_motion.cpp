@@ -172,6 +172,25 @@ class TestCameraMotion : public QObject {
     }
   }
 
+  /// An eye in front stays, one behind is mirrored, one in the plane is taken 1 cm away.
+  void facingThePanel() {
+    const RigidTransform panel = transformFromPose({0.5, -0.2, 3}, {10, 40, -20});
+    for (const double z : {0.7, -0.7, 0.0}) {
+      CameraParams camera = askew();
+      camera.eye = panel.point({0.1, -0.3, z});
+      camera.lookat = camera.eye + panel.zAxis;
+      const CameraParams to = facing(camera, panel);
+      QVERIFY(apart(to.eye, panel.point({0.1, -0.3, z == 0 ? 0.01 : 0.7})) < 1e-12);
+      QVERIFY(apart(forward(to), normalise(panel.origin - to.eye)) < 1e-12);
+      QVERIFY(to.up == camera.up);
+    }
+    CameraParams above;
+    above.eye = panel.point({0, 0, 1});
+    above.up = panel.zAxis;  // along the view
+    QVERIFY(facing(above, panel).up == panel.yAxis);
+    QVERIFY(hasFrame(facing(above, panel)));
+  }
+
   void noFrameIsAnError() {
     CameraParams blind = ahead();
     blind.lookat = blind.eye;

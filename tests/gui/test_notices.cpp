@@ -49,6 +49,9 @@ class TestNotices : public WindowTest {
   void aNoticeIsPaintedOnTheDimmedImage();
   void theCuresAreButtons();
   void aReportGoesOn();
+  void aBlackPictureSaysWhatHelps();
+  void aDarkPictureIsStretched();
+  void thePictureSaysWhatItIs();
 
  private:
   QRect cures() const {
@@ -289,6 +292,53 @@ void TestNotices::aReportGoesOn() {
   QTest::mouseClick(child<QPushButton>("makeReportButton"), Qt::LeftButton);
   QTRY_VERIFY_WITH_TIMEOUT(note->text().contains("tiny.png"), patience);
   QVERIFY(isRight());
+}
+
+/// An eye that has walked past the panel sees nothing of it; one step brings it back.
+void TestNotices::aBlackPictureSaysWhatHelps() {
+  openSmall();
+  QVERIFY(view()->remark().isEmpty());
+  editor<QDoubleSpinBox>("cameraArea", "eye.2")->setValue(-0.7);
+  QTRY_VERIFY_WITH_TIMEOUT(view()->remark().contains("No pixel sees the panel"), patience);
+  QVERIFY(isRight());  // it is what the state sees
+  QVERIFY(view()->findChild<QPushButton*>("maskActionCure")->isVisible());
+  view()->findChild<QPushButton*>("lookAtPanelActionCure")->click();
+  QTRY_VERIFY_WITH_TIMEOUT(view()->remark().isEmpty(), patience);
+  QVERIFY(m_model->current().camera.eye.z > 0);
+  m_model->undoStack()->undo();
+  QCOMPARE(m_model->current().camera.eye.z, -0.7);
+}
+
+void TestNotices::aDarkPictureIsStretched() {
+  writeImageFile("a.png", 64, 64, [](int x, int, int) { return float(x % 4) / 255; });
+  openSmall();
+  QTRY_VERIFY_WITH_TIMEOUT(view()->remark().contains("its lightest pixel has 3 of 255"), patience);
+  view()->findChild<QPushButton*>("stretchActionCure")->click();
+  QCOMPARE(view()->gain(), 85.0);
+  QVERIFY(view()->remark().isEmpty());
+  QCOMPARE(commands()->deviations(), QStringList("× 85"));
+}
+
+/// A unit's errors, an eye of two, and a method are no longer seen only in the menus.
+void TestNotices::thePictureSaysWhatItIs() {
+  openSmall();
+  const auto tag = [this] { return view()->tag(); };
+  QVERIFY2(tag().isEmpty(), qPrintable(tag()));
+  QVERIFY(commands()->deviations().isEmpty());
+  Session built = m_model->session();
+  built.twin.lensArray.rotation = 0.1;
+  m_model->setContent(built);
+  QTRY_COMPARE_WITH_TIMEOUT(tag(), QString("as built"), patience);
+  action("asBuiltAction")->trigger();
+  QTRY_COMPARE_WITH_TIMEOUT(tag(), QString("as designed"), patience);
+  CameraState head = m_model->current();
+  head.stereo.ipd = 0.06;
+  m_model->setCurrent(head);
+  action("leftEyeAction")->trigger();
+  QTRY_COMPARE_WITH_TIMEOUT(tag(), QString("as designed · left eye"), patience);
+  QVERIFY(commands()->deviations().isEmpty());
+  action("anaglyphAction")->trigger();
+  QTRY_COMPARE_WITH_TIMEOUT(commands()->deviations(), QStringList("both eyes"), patience);
 }
 
 int main(int argc, char** argv) {

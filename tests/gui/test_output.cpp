@@ -32,6 +32,7 @@
 #include <set>
 
 #include "core/cameras/camera_path.h"
+#include "core/engine/scaled_view.h"
 #include "gui/docks/plot_saver.h"
 #include "gui/docks/tradeoff_widget.h"
 #include "gui/scene/scene_output.h"
@@ -150,7 +151,9 @@ class TestOutput : public SceneTest {
     return said;
   }
   QString savedView(const QString& file, const QSize& size) {
-    return said(views(), [&] { views()->saveView(file, size); });
+    return said(views(), [&] {
+      views()->saveView(file, resized(m_model->current(), {size.width(), size.height()}));
+    });
   }
   QString savedScene(const QString& file, const QSize& size) {
     return said(scenes(), [&] { scenes()->savePicture(file, size); });

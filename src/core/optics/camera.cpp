@@ -145,4 +145,15 @@ CameraParams moved(const CameraParams& camera, Motion motion, double amount) {
   return result;
 }
 
+CameraParams facing(CameraParams camera, const RigidTransform& worldFromPanel) {
+  constexpr double nearest = 0.01;
+  Vec3 eye = worldFromPanel.inverse().point(camera.eye);
+  if (eye.z < nearest) eye.z = std::max(-eye.z, nearest);
+  camera.eye = worldFromPanel.point(eye);
+  camera.lookat = worldFromPanel.origin;
+  if (!hasFrame(camera)) camera.up = worldFromPanel.yAxis;
+  if (!hasFrame(camera)) camera.up = worldFromPanel.xAxis;
+  return camera;
+}
+
 }  // namespace hogelscope

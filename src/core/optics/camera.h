@@ -89,4 +89,9 @@ double stepOf(Motion motion);
 /// no frame.
 CameraParams moved(const CameraParams& camera, Motion motion, double amount);
 
+/// Returns the camera turned to the panel's middle; an eye behind the panel, or in its plane, is
+/// taken to the same place in front, at least 1 cm away. `up` becomes the panel's where the old one
+/// gives no frame.
+CameraParams facing(CameraParams camera, const RigidTransform& worldFromPanel);
+
 }  // namespace hogelscope

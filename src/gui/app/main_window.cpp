@@ -8,7 +8,10 @@
 #include <QFileInfo>
 #include <QHBoxLayout>
 #include <QSignalBlocker>
+#include <QTimer>
 #include <QToolButton>
+#include <QVBoxLayout>
+#include <chrono>
 #include <utility>
 
 #include "gui/app/help_commands.h"
@@ -39,6 +42,7 @@
 #include "gui/widgets/colours.h"
 #include "gui/widgets/command.h"
 #include "gui/widgets/hint.h"
+#include "gui/widgets/note_bar.h"
 #include "gui/widgets/task_widgets.h"
 #include "ui_main_window.h"
 
@@ -349,7 +353,7 @@ void MainWindow::showView(const RenderedView& view) {
 
 /// Drops what was measured of other views than the session's states are now.
 void MainWindow::forgetMeasurement() {
-  m_ui->tradeoffView->forget(m_loader->isReady(), questionOf(m_model->session().sampling));
+  m_ui->tradeoffView->forget(m_loader->isReady());
 }
 
 std::vector<RenderJob> MainWindow::views() const {
@@ -380,6 +384,10 @@ void MainWindow::addHelpers() {
   connect(m_files, &FileCommands::done, m_messages, &Messages::showMessage);
   connect(m_files, &FileCommands::failed, m_messages, &Messages::showError);
   connect(m_files, &FileCommands::lightFieldChanged, this, [this] { m_loader->load(); });
+  auto* note = new NoteBar(m_files->changeAction());
+  m_ui->pictureLayout->insertWidget(0, note);
+  connect(m_model, &SessionModel::opened, note, &QWidget::hide);
+  connect(m_files, &FileCommands::assumed, note, &NoteBar::say);
   connect(m_files, &FileCommands::comparisonAsked, m_imageCommands, &ImageCommands::compareWith);
   auto* sceneOutput = new SceneOutput(m_ui->sceneMenu, m_ui->statusBar, m_scene, m_model, this);
   connect(sceneOutput, &SceneOutput::done, m_messages, &Messages::showMessage);
@@ -396,14 +404,51 @@ void MainWindow::addHelpers() {
       {m_ui->pictureView, m_ui->sceneWidget});
   m_ui->viewMenu->addMenu(m_colours);
   m_ui->viewMenu->addMenu(m_textSizes);
+  addProgress();
+}
+
+/// Puts the bars of reading over the picture that they will replace.
+void MainWindow::addProgress() {
   m_readingBar = new ReadingBar(
       tr("Light field"), [this] { return m_worker->readShare(); }, this);
   m_readingBar->setObjectName("readingBar");
-  statusBar()->addPermanentWidget(m_readingBar);
+  m_lookingBar = new ReadingBar(
+      tr("Light field"), [this] { return m_files->lookedShare(); }, this,
+      tr("How much has been looked at"), tr("Stops; the window stays as it is"));
+  m_lookingBar->setObjectName("lookingBar");
+  auto* over = new QVBoxLayout(m_ui->pictureView);
+  over->addStretch(3);
+  for (ReadingBar* bar : {m_readingBar, m_lookingBar}) {
+    bar->setAttribute(Qt::WA_StyledBackground);
+    over->addWidget(bar, 0, Qt::AlignHCenter);
+  }
+  over->addStretch(1);
+  connect(m_lookingBar, &ReadingBar::stopAsked, m_files, &FileCommands::stopLooking);
+  connect(m_files, &FileCommands::looking, this, &MainWindow::showLooking);
   connect(m_worker, &ViewWorker::loaded, m_readingBar, &QWidget::hide);
   connect(m_worker, &ViewWorker::failed, m_readingBar, &QWidget::hide);
   connect(m_worker, &ViewWorker::readingStopped, m_readingBar, &QWidget::hide);
   connect(m_readingBar, &ReadingBar::stopAsked, m_worker, &ViewWorker::stopReading);
+}
+
+/// Dims the picture while a light field is looked at that may take its place, after a moment. An
+/// empty line: no longer.
+void MainWindow::showLooking(const QString& line) {
+  constexpr std::chrono::milliseconds moment(300);
+  const QString before = std::exchange(m_lookingLine, line);
+  m_lookingBar->hide();
+  if (m_ui->pictureView->notice() == before && !before.isEmpty())
+    m_imageCommands->showNotice(m_noticeBefore);
+  if (line.isEmpty()) return;
+  QTimer::singleShot(moment, this, [this, line] {
+    if (m_lookingLine != line) return;
+    m_layout->leaveHome();
+    m_lookingBar->show();
+    const QString notice = m_ui->pictureView->notice();
+    if (!notice.isEmpty() && !m_ui->pictureView->image().isNull()) return;  // an error
+    m_noticeBefore = notice;
+    m_imageCommands->showNotice(line);
+  });
 }
 
 /// Shows an error in place of the image until an image is rendered again.
@@ -454,6 +499,7 @@ void MainWindow::showScene() {
   const std::optional<ViewSource>& source = m_loader->source();
   m_properties->lightField()->setSource(source);
   m_properties->designNumbers()->setSource(source);
+  m_properties->display()->setSource(source);
   m_ui->measureView->setSource(source);
   m_scene->setSource(source);
   m_imageCommands->setSource(source);

@@ -59,6 +59,8 @@ class MainWindow : public QMainWindow {
   void closeEvent(QCloseEvent* event) override;
   void leaveForm();
   void showFailure(const QString& line);
+  void addProgress();
+  void showLooking(const QString& line);
   void showSession();
   void showContent();
   void showScene();
@@ -78,7 +80,9 @@ class MainWindow : public QMainWindow {
   HomePage* m_home = nullptr;
   FileCommands* m_files = nullptr;
   WindowLayout* m_layout = nullptr;
-  ReadingBar* m_readingBar = nullptr;
+  ReadingBar *m_readingBar = nullptr, *m_lookingBar = nullptr;
+  QString m_noticeBefore;
+  QString m_lookingLine;  ///< on the picture while a light field is looked at
   QComboBox* m_stateBox;
   QMenu *m_colours, *m_textSizes;
   SceneController* m_scene;

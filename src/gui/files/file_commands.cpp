@@ -68,6 +68,36 @@ QString lightFieldPath(const Session& session) {
   return name == none ? QString() : fullPath(QString::fromStdString(name));
 }
 
+/// Returns what is seen of an opened light field, and what was assumed of it, in one line; "" where
+/// nothing was.
+QString assumedText(const Opening& opening) {
+  QStringList guesses, usual;
+  QString size;
+  const bool isSheet = opening.around.session.display.sheet.has_value();
+  for (const Assumption& each : opening.assumptions) {
+    const QString value = QString::fromStdString(each.value);
+    const QString what = QString::fromStdString(each.what).toLower();
+    const bool isOfHogels = each.what == "Panel" || each.what == "Field of view";
+    if (each.what == "Size")
+      size = value;
+    else if (each.isUsual && isOfHogels && !isSheet)
+      usual << what + " " + value;
+    if (each.sureness != Sureness::sure && !each.isUsual)
+      guesses << FileCommands::tr("%1 %2").arg(what, nameOf(each.sureness));
+  }
+  if (guesses.isEmpty() && usual.isEmpty()) return {};
+  QString line = size;
+  if (!usual.isEmpty()) line += FileCommands::tr(" · assumed: %1").arg(usual.join(", "));
+  if (!guesses.isEmpty()) line += FileCommands::tr(" · please check: %1").arg(guesses.join(", "));
+  return line;
+}
+
+/// Whether a session's file can be replaced; false for samples that the system owns.
+bool mayBeWritten(const QString& file) {
+  const QFileInfo info(file);
+  return QFileInfo(info.absolutePath()).isWritable() && (!info.exists() || info.isWritable());
+}
+
 }  // namespace
 
 FileCommands::FileCommands(QMenu* menu, SessionModel* model, QWidget* window)
@@ -83,6 +113,10 @@ FileCommands::FileCommands(QMenu* menu, SessionModel* model, QWidget* window)
   connect(m_autosave, &Autosave::failed, this, &FileCommands::failed);
   for (const Task* task : {m_task, m_compared})
     connect(task, &Task::failed, this, &FileCommands::failed);
+  connect(m_task, &Task::stopped, this, [this] { Q_EMIT done(tr("Stopped; nothing was opened")); });
+  connect(m_task, &Task::runningChanged, this, [this](bool isRunning) {
+    if (!isRunning && std::exchange(m_isLooking, false)) Q_EMIT looking({});
+  });
   for (const auto change : {&SessionModel::opened, &SessionModel::contentChanged})
     connect(m_model, change, this, &FileCommands::watchFiles);
   connect(m_model, &SessionModel::saved, this, [this] {
@@ -95,7 +129,11 @@ FileCommands::FileCommands(QMenu* menu, SessionModel* model, QWidget* window)
       if (sheet && !sheet->file.empty()) rememberSheet(QString::fromStdString(sheet->file));
     });
   // The next picture is of another session than the file that waits for one.
-  connect(m_model, &SessionModel::opened, this, [this] { m_unpictured.clear(); });
+  connect(m_model, &SessionModel::opened, this, [this] {
+    m_unpictured.clear();
+    m_assumedOf.clear();
+    m_isOther = false;
+  });
   connect(m_watch, &FileWatch::changed, this, &FileCommands::takeChange);
   window->setAcceptDrops(true);
   window->installEventFilter(this);
@@ -132,6 +170,12 @@ void FileCommands::addCommands(QMenu* menu) {
           "opens"),
        Qt::CTRL | Qt::ALT | Qt::SHIFT | Qt::Key_O},
       [this] { askLightField(true); });
+  m_change = add({"changeOpeningAction", tr("C&hange what was assumed…"),
+                  tr("Opens the same light field again, with a choice of what was assumed of it"),
+                  Qt::CTRL | Qt::ALT | Qt::Key_H, tr("Change…")},
+                 [this] {
+                   if (mayLeave()) openLater(m_assumedOf, true);
+                 });
   m_save = add({"saveAction", tr("&Save session"),
                 tr("Saves the session with all camera states as they are now"),
                 Qt::CTRL | Qt::Key_S, tr("Save")},
@@ -144,9 +188,9 @@ void FileCommands::addCommands(QMenu* menu) {
                   Qt::CTRL | Qt::ALT | Qt::Key_J},
                  &FileCommands::askLightFieldsPlace);
   menu->addSeparator();
-  m_import = add({"importAction", tr("&Import OpenCV calibration…"),
-                  tr("Gives the current state the lens, the intrinsics and the picture size of an "
-                     "OpenCV calibration file"),
+  m_import = add({"importAction", tr("&Import calibration…"),
+                  tr("Gives the current state the lens, the intrinsics and the picture size of a "
+                     "camera's file: OpenCV, ROS, Kalibr, transforms.json, COLMAP or glTF"),
                   Qt::CTRL | Qt::Key_I},
                  &FileCommands::askImport);
   menu->addSeparator();
@@ -156,6 +200,7 @@ void FileCommands::addCommands(QMenu* menu) {
 
 void FileCommands::setOpen(bool isOpen) {
   for (QAction* action : {m_save, m_saveAs, m_import}) action->setEnabled(isOpen);
+  m_change->setEnabled(isOpen && !m_assumedOf.isEmpty());
   const QString lightField = lightFieldPath(m_model->session());
   m_locate->setEnabled(isOpen && !lightField.isEmpty() && !QFileInfo::exists(lightField));
 }
@@ -192,12 +237,23 @@ bool FileCommands::open(const QString& file) {
 /// `sheet` is the calibration of the lens sheet that shows it; "": hogels do.
 void FileCommands::openLater(const QString& file, bool isAsked, const QString& sheet) {
   delete m_dialog;
+  m_isLooking = true;
   m_task->start([this, file, isAsked, sheet](const Progress& progress) {
     return [this, file, isAsked, sheet, opening = inspectFile(file.toStdString(), {}, progress)] {
       offer(file, opening, isAsked, sheet);
     };
   });
-  Q_EMIT done(tr("Reading %1 …").arg(file));
+  const QString line = tr("Reading %1 …").arg(file);
+  Q_EMIT done(line);
+  Q_EMIT looking(line);
+}
+
+double FileCommands::lookedShare() const {
+  return m_task->share();
+}
+
+void FileCommands::stopLooking() {
+  m_task->stop();
 }
 
 /// Shows a quilt on a lens sheet: without a file the session's, or one that is asked for. A session
@@ -252,6 +308,11 @@ void FileCommands::ask(const QString& file, const Opening& opening, const QStrin
 void FileCommands::take(const QString& file, const Opening& opening) {
   const OrderedSession& around = opening.around;
   m_model->openNew(around.session);
+  if (const QString line = assumedText(opening); !line.isEmpty()) {
+    m_assumedOf = file;
+    m_change->setEnabled(true);
+    Q_EMIT assumed(line);
+  }
   remember(file, whatIs(shownOf(opening)));
   const LightFieldParams& used = around.session.lightField;
   if (!around.assumed.empty()) Q_EMIT done(file + ": " + QString::fromStdString(around.assumed));
@@ -296,6 +357,7 @@ void FileCommands::keepThumbnail(const QImage& view) {
 bool FileCommands::save(const QString& file) {
   return guarded(this, [&] {
     m_model->save(file);
+    m_isOther = false;
     rememberSession(file);
     Q_EMIT done(tr("Saved %1").arg(file));
   });
@@ -339,7 +401,8 @@ void FileCommands::watchFiles() {
 /// Reads what another program has written, but never over edits.
 void FileCommands::takeChange(const QString& path) {
   if (path == lightFieldPath(m_model->session())) return Q_EMIT lightFieldChanged();
-  if (m_model->isModified())
+  m_isOther = m_model->isModified();
+  if (m_isOther)
     return Q_EMIT failed(
         tr("%1 has been changed by another program, and here: open it again to take that, or save "
            "to replace it")
@@ -424,8 +487,18 @@ void FileCommands::offerRecovery() {
   m_autosave->offerRecovery(m_window);
 }
 
+/// Saves the session to its file, but asks for another one where that cannot be written, and before
+/// it replaces what another program has written.
 bool FileCommands::saveOrAsk() {
-  return m_model->file().isEmpty() ? askSaveAs() : save(m_model->file());
+  const QString file = m_model->file();
+  if (file.isEmpty() || !mayBeWritten(file)) return askSaveAs();
+  if (!m_isOther) return save(file);
+  const std::optional<bool> isSame =
+      askEither(m_window, tr("Save session"),
+                tr("%1 has been changed by another program since it was opened.")
+                    .arg(QFileInfo(file).fileName()),
+                {tr("Save to &another file…"), tr("&Replace it")});
+  return isSame && (*isSame ? askSaveAs() : save(file));
 }
 
 bool FileCommands::askSaveAs() {
@@ -447,7 +520,7 @@ void FileCommands::askLightField(bool isAsked) {
 
 void FileCommands::askImport() {
   const QString file =
-      chooseFile(m_window, tr("Import OpenCV calibration"),
+      chooseFile(m_window, tr("Import calibration"),
                  tr("Calibrations (*.yml *.yaml *.json *.xml *.txt *.bin);;All files (*)"));
   if (!file.isEmpty()) importCalibration(file);
 }

@@ -33,6 +33,11 @@ class FileCommands : public QObject {
   /// Enables the commands that need a session.
   void setOpen(bool isOpen);
   [[nodiscard]] QAction* importAction() const { return m_import; }
+  /// Returns the share of a light field that has been looked at, 0 … 1.
+  [[nodiscard]] double lookedShare() const;
+  void stopLooking();
+  /// Opens what was opened last again, with a choice of what was assumed of it.
+  [[nodiscard]] QAction* changeAction() const { return m_change; }
 
   /// These functions ask nothing, report errors through failed(), and return true on success. A
   /// session document opens at once. A light field (an image, a folder or a mesh) opens later in a
@@ -61,6 +66,10 @@ class FileCommands : public QObject {
   void done(const QString& line);
   void failed(const QString& line);
   void comparisonAsked(const QString& file);
+  /// A light field that is to be opened is being looked at; "": no longer.
+  void looking(const QString& line);
+  /// A light field was opened, of which this was assumed.
+  void assumed(const QString& line);
   void lightFieldChanged();  ///< its file, by another program
 
  private:
@@ -91,9 +100,13 @@ class FileCommands : public QObject {
   QWidget* m_window;
   RecentFiles* m_recent = nullptr;
   QString m_unpictured;  ///< a recent file whose first view has not been rendered yet
-  QAction *m_save = nullptr, *m_saveAs = nullptr, *m_import = nullptr, *m_locate = nullptr;
-  Task* m_task;      ///< analyses a light field that is being opened
-  Task* m_compared;  ///< checks whether a light field can be compared
+  QAction *m_save = nullptr, *m_saveAs = nullptr, *m_import = nullptr, *m_locate = nullptr,
+          *m_change = nullptr;
+  QString m_assumedOf;  ///< the light field that the session was made around; "": none
+  bool m_isLooking = false;
+  bool m_isOther = false;  ///< the session's file has been changed by another program
+  Task* m_task;            ///< analyses a light field that is being opened
+  Task* m_compared;        ///< checks whether a light field can be compared
   QPointer<OpeningDialog> m_dialog;
   Autosave* m_autosave;
   FileWatch* m_watch;

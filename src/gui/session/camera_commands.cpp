@@ -56,6 +56,10 @@ CameraCommands::CameraCommands(QMenu* menu, SessionModel* model, QObject* parent
   addSwitches();
   m_menu->addSeparator();
   addStates();
+  add(m_menu, "lookAtPanel", tr("Face the pa&nel"),
+      tr("Looks at the panel's middle; an eye behind the panel is taken to the same place in "
+         "front"),
+      Qt::Key_N, [this] { facePanel(); });
   connect(m_model, &SessionModel::opened, this, [this] {
     m_lenses.clear();
     m_windows.clear();
@@ -125,6 +129,13 @@ void CameraCommands::edit(const QString& name, const std::function<void(CameraSt
   guarded(this, [&] {
     m_model->edit(name, [&](Session& session) { action(session.cameras[current]); });
   });
+}
+
+void CameraCommands::facePanel() {
+  const DisplayParams& display = m_model->session().display;
+  const RigidTransform panel = transformFromPose(display.position, display.orientation);
+  edit(tr("Face the panel"),
+       [&](CameraState& state) { state.camera = facing(state.camera, panel); });
 }
 
 void CameraCommands::stepSigma(int steps) {

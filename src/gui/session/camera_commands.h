@@ -40,6 +40,7 @@ class CameraCommands : public QObject {
   void addSwitches();
   void addStates();
   void edit(const QString& name, const std::function<void(CameraState&)>& action);
+  void facePanel();
   void stepSigma(int steps);
   void stepWindow(int steps);
   /// Toggles between `off` and the kept value.

@@ -117,6 +117,7 @@ void ComparisonCommands::addTone() {
   for (const auto& [own, name, key] :
        {std::tuple("moreGainAction", "moreGainViewAction", Qt::ALT | Qt::Key_Plus),
         std::tuple("lessGainAction", "lessGainViewAction", Qt::ALT | Qt::Key_Minus),
+        std::tuple("stretchAction", "stretchViewAction", Qt::ALT | Qt::Key_Asterisk),
         std::tuple("moreGammaAction", "moreGammaViewAction", Qt::ALT | Qt::Key_Period),
         std::tuple("lessGammaAction", "lessGammaViewAction", Qt::ALT | Qt::Key_Comma),
         std::tuple("resetToneAction", "resetToneViewAction", Qt::ALT | Qt::Key_0)}) {

@@ -5,6 +5,7 @@
 #include <QClipboard>
 #include <QFileInfo>
 #include <QGuiApplication>
+#include <QRegularExpression>
 #include <QStatusBar>
 #include <array>
 
@@ -25,6 +26,18 @@
 #include "picture/conversions.h"
 
 namespace hogelscope {
+
+namespace {
+
+/// Whether a mask has no pixel that is seen.
+bool isBlack(const QImage& seen) {
+  for (int y = 0; y < seen.height(); ++y)
+    for (int x = 0; x < seen.width(); ++x)
+      if (qGray(seen.pixel(x, y)) != 0) return false;
+  return !seen.isNull();
+}
+
+}  // namespace
 
 ImageCommands::ImageCommands(QMenu* menu, ImageWidget* view, QVBoxLayout* around,
                              QStatusBar* statusBar, SessionModel* model, QObject* parent)
@@ -177,12 +190,50 @@ void ImageCommands::show(const RenderedView& view) {
   const bool hasOther = other().has_value();  // false for an image that arrives after the stop
   m_view->setImages(view.image, hasOther ? view.otherImage : QImage());
   m_view->setMask(view.seen, hasOther ? view.otherSeen : QImage());
-  m_view->setTag(view.isOverview ? tr("Overview: the rest is being fetched")
-                 : view.samples > 0 && view.scale == 1
-                     ? tr("Coarse: %n samples of the pupil", "", view.samples)
-                 : view.scale > 1 ? tr("Coarse: 1/%1 of the resolution").arg(view.scale)
-                                  : QString());
+  m_coarse.clear();
+  if (!view.method.isEmpty()) m_coarse << view.method;
+  if (view.isOverview)
+    m_coarse << tr("overview: the rest is being fetched");
+  else if (view.samples > 0 && view.scale == 1)
+    m_coarse << tr("coarse: %n samples of the pupil", "", view.samples);
+  else if (view.scale > 1)
+    m_coarse << tr("coarse: 1/%1 of the resolution").arg(view.scale);
+  QStringList tags;
+  if (!m_model->session().twin.isZero())
+    tags << (view.isBuilt ? tr("as built") : tr("as designed"));
+  if (view.eyes == StereoView::left) tags << tr("left eye");
+  if (view.eyes == StereoView::right) tags << tr("right eye");
+  m_view->setTag((tags + m_coarse).join(QStringLiteral(" · ")));
   showNotice({});
+  if (view.scale == 1 && !view.isOverview) remark(view);
+}
+
+/// Says why a picture is black, and what helps.
+void ImageCommands::remark(const RenderedView& view) {
+  constexpr int dark = 32;  // code values below which hardly anything is seen
+  const auto cures = [this](const QStringList& names) {
+    QList<QAction*> found;
+    for (const QString& name : names) found << parent()->findChild<QAction*>(name);
+    return found;
+  };
+  if (m_view->hasTwo()) return m_view->setRemark({});
+  if (isBlack(view.seen))
+    return m_view->setRemark(tr("No pixel sees the panel."),
+                             cures({"lookAtPanelAction", "maskAction"}));
+  const int lightest = m_view->lightest();
+  const bool isDark = lightest > 0 && lightest < dark && m_view->toneText().isEmpty();
+  m_view->setRemark(isDark
+                        ? tr("The picture is dark: its lightest pixel has %1 of 255.").arg(lightest)
+                        : QString(),
+                    isDark ? cures({"stretchAction"}) : QList<QAction*>());
+}
+
+QStringList ImageCommands::deviations() const {
+  QStringList all = m_coarse;
+  if (const QString tone = m_view->toneText(); !tone.isEmpty()) all.prepend(tone);
+  if (m_view->hasTwo()) all.prepend(tr("a comparison"));
+  if (hasTwoEyes(m_model->current()) && jointModeOf(eyes())) all.prepend(tr("both eyes"));
+  return all;
 }
 
 void ImageCommands::showNotice(const QString& why, const QList<QAction*>& cures) {
@@ -292,11 +343,37 @@ void ImageCommands::askFolder() {
   if (!folder.isEmpty()) compareWith(folder);
 }
 
+/// Returns the state whose picture is shown: of two eyes joined in one picture, the head's.
+CameraState ImageCommands::shownState() const {
+  const StereoView one = jointModeOf(eyes()) ? StereoView::head : eyes();
+  return eyeAt(one, m_model->current(), m_model->session().display, {}).state;
+}
+
+/// Saves the exact picture in full size. Where another one is shown, that is a choice, which its
+/// name then says.
 void ImageCommands::askImage() {
-  const QString name = QString::fromStdString(m_model->current().camera.name) + ".png";
-  const QString file = chooseNewFile(m_view, tr("Save picture"), name,
+  const QStringList deviating = deviations();
+  const CameraState state = shownState();
+  QString name = QString::fromStdString(m_model->current().camera.name);
+  bool isExact = true;
+  if (!deviating.isEmpty()) {
+    const auto [width, height] = state.camera.res;
+    const std::optional<bool> chosen = askEither(
+        m_view, tr("Save picture"),
+        tr("What is shown is not the state's exact picture: %1.").arg(deviating.join(", ")),
+        {tr("&Exact, %1 × %2 px").arg(width).arg(height), tr("&As shown")});
+    if (!chosen) return;
+    isExact = *chosen;
+    const QRegularExpression notInNames(R"([/\\:*?"<>|]+\s*)");
+    if (!isExact) name += " (" + deviating.join(", ").replace(notInNames, "-") + ")";
+  }
+  const QString file = chooseNewFile(m_view, tr("Save picture"), name + ".png",
                                      tr("Pictures (*.png *.tif *.tiff *.exr *.jpg)"));
-  if (!file.isEmpty()) saveImage(file);
+  if (file.isEmpty()) return;
+  if (isExact && !deviating.isEmpty())
+    m_output->saveView(file, state);
+  else
+    saveImage(file);
 }
 
 void ImageCommands::askFigure() {

@@ -49,6 +49,9 @@ class ImageCommands : public QObject {
   void compareWithDesign(const QString& name, const Session& session);
   /// Saves the image as shown, unless it is outdated. The extension gives the format.
   bool saveImage(const QString& file);
+  /// Returns what the picture that is shown has in place of the state's exact one in full size,
+  /// such as "half size"; empty: it is that one.
+  [[nodiscard]] QStringList deviations() const;
   /// Saves the two images that are compared side by side with the map of their error
   /// (comparisonSheet), unless they are outdated.
   bool saveFigure(const QString& file);
@@ -71,6 +74,8 @@ class ImageCommands : public QObject {
   void askFile();
   void askFolder();
   void askImage();
+  void remark(const RenderedView& view);
+  [[nodiscard]] CameraState shownState() const;
   void askFigure();
   template <class Write>
   bool save(const QString& file, const Write& write);
@@ -78,6 +83,7 @@ class ImageCommands : public QObject {
   QList<QAction*> m_ofAnyImage, m_ofRightImage;  ///< need an image; one that is up to date
   QAction *m_compareIdeal = nullptr, *m_stop = nullptr, *m_mask = nullptr, *m_figure = nullptr;
   QActionGroup* m_eyes;
+  QStringList m_coarse;  ///< what makes the picture that is shown another one than the exact one
   ImageWidget* m_view;
   SessionModel* m_model;
   Comparison* m_comparison;

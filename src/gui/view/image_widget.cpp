@@ -86,6 +86,8 @@ void ImageWidget::addCommands() {
   addCommand("lessGainAction", tr("&Halve the gain"),
              tr("Shows the picture, or the error, half as bright"), {Qt::SHIFT | Qt::Key_Down}, {},
              [this] { setGain(gain() / 2); });
+  addCommand("stretchAction", tr("&Stretch"), tr("Shows the lightest pixel of the picture white"),
+             {Qt::CTRL | Qt::SHIFT | Qt::Key_Up}, {}, &ImageWidget::stretch);
   addCommand("moreGammaAction", tr("More &gamma"),
              tr("Brightens dark parts of what is shown; code values are raised to 1/gamma"),
              {Qt::CTRL | Qt::Key_Up}, {}, [this] { setGamma(gamma() + 0.2); });
@@ -131,7 +133,19 @@ void ImageWidget::setTitles(const QString& title, const QString& otherTitle) {
 
 void ImageWidget::setNotice(const QString& notice, const QList<QAction*>& cures) {
   m_notice = notice;
+  m_remark.clear();
   setAccessibleDescription(notice);
+  setCures(cures);
+}
+
+void ImageWidget::setRemark(const QString& remark, const QList<QAction*>& cures) {
+  if (!m_notice.isEmpty() || m_remark == remark) return;
+  m_remark = remark;
+  setAccessibleDescription(remark);
+  setCures(cures);
+}
+
+void ImageWidget::setCures(const QList<QAction*>& cures) {
   // A button whose click leads here is still needed when this returns.
   for (auto* old : m_cures->findChildren<QPushButton*>()) {
     old->hide();
@@ -435,7 +449,22 @@ void ImageWidget::changeEvent(QEvent* event) {
   QWidget::changeEvent(event);
 }
 
-/// Puts the buttons below the notice's text.
+int ImageWidget::lightest() const {
+  int most = 0;
+  for (int y = 0; y < image().height(); ++y)
+    for (int x = 0; x < image().width(); ++x) {
+      const QRgb pixel = image().pixel(x, y);
+      most = std::max({most, qRed(pixel), qGreen(pixel), qBlue(pixel)});
+    }
+  return most;
+}
+
+void ImageWidget::stretch() {
+  if (const int most = lightest(); most > 0) setGain(255.0 / most);
+  setRemark({});
+}
+
+/// Puts the buttons below the text.
 void ImageWidget::placeCures() {
   constexpr int gap = 8;
   auto* row = static_cast<QBoxLayout*>(m_cures->layout());
@@ -443,7 +472,7 @@ void ImageWidget::placeCures() {
   if (row->sizeHint().width() > width()) row->setDirection(QBoxLayout::TopToBottom);
   m_cures->adjustSize();
   const QRect text = fontMetrics().boundingRect(
-      noticeArea(), int(Qt::AlignCenter) | int(Qt::TextWordWrap), m_notice);
+      noticeArea(), int(Qt::AlignCenter) | int(Qt::TextWordWrap), m_notice + m_remark);
   m_cures->move((width() - m_cures->width()) / 2,
                 std::min(text.bottom() + gap, height() - m_cures->height()));
 }

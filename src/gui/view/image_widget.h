@@ -45,6 +45,9 @@ class ImageWidget : public QWidget {
   /// is that of an error: it has a frame, and a button for each of them that is enabled, named as
   /// the action with "Cure" appended.
   void setNotice(const QString& notice, const QList<QAction*>& cures = {});
+  /// Shows a text, with buttons as a notice has them, on an image that is up to date; empty: none.
+  /// A notice takes its place.
+  void setRemark(const QString& remark, const QList<QAction*>& cures = {});
   /// Sets the mode of the comparison. Mode::blink alternates twice a second.
   void setMode(Mode mode);
   /// Sets the error map of Mode::difference.
@@ -65,6 +68,8 @@ class ImageWidget : public QWidget {
   /// Sets the share of the width, 0 … 1, that shows the first image.
   void setWipe(double share);
   void setViewport(const Viewport& viewport);
+  /// Sets the gain that shows the lightest pixel of the first image white, as far as it can.
+  void stretch();
   /// Fits the whole image.
   void fit();
   /// Shows one image pixel per screen pixel.
@@ -72,6 +77,10 @@ class ImageWidget : public QWidget {
 
   [[nodiscard]] const QImage& image() const { return m_images[0].image; }
   [[nodiscard]] const QString& notice() const { return m_notice; }
+  [[nodiscard]] const QString& remark() const { return m_remark; }
+  [[nodiscard]] const QString& tag() const { return m_tag; }
+  /// Returns the largest code value of the first image.
+  [[nodiscard]] int lightest() const;
   [[nodiscard]] const QImage& otherImage() const { return m_images[1].image; }
   [[nodiscard]] const QImage& seen() const { return m_images[0].seen; }
   [[nodiscard]] const QImage& otherSeen() const { return m_images[1].seen; }
@@ -83,6 +92,10 @@ class ImageWidget : public QWidget {
   [[nodiscard]] double wipe() const { return m_wipe; }
   [[nodiscard]] double gain() const { return shownTone().gain; }
   [[nodiscard]] double gamma() const { return shownTone().gamma; }
+  /// Whether two images are compared.
+  [[nodiscard]] bool hasTwo() const { return !otherImage().isNull(); }
+  /// Returns gain and gamma of what is shown in words; "" for an image as it is.
+  [[nodiscard]] QString toneText() const;
   /// Returns the whole image in the current mode, pixel for pixel, without mask and grid.
   [[nodiscard]] QImage shownImage() const;
   /// Returns position, code values and zoom under the pointer; "" if there is no pixel.
@@ -160,6 +173,7 @@ class ImageWidget : public QWidget {
   [[nodiscard]] QString heading() const;
   void paintNotice(QPainter& painter) const;
   [[nodiscard]] QRect noticeArea() const;
+  void setCures(const QList<QAction*>& cures);
   void placeCures();
   void paintValues(QPainter& painter, const QRect& clip, const Placement& at,
                    std::size_t which) const;
@@ -183,8 +197,9 @@ class ImageWidget : public QWidget {
   QPainterPath m_marks;  ///< the outline of the marked pixels
   QRect m_region;
   QString m_notice;
+  QString m_remark;
   QString m_tag;
-  QWidget* m_cures;                  ///< the buttons of the notice; hidden if there are none
+  QWidget* m_cures;                  ///< the buttons of notice or remark; hidden if there are none
   std::optional<QPointF> m_pointer;  ///< widget coordinates, as is the next
   QPointF m_pressed;
   Viewport m_draggedFrom;

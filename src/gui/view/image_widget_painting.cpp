@@ -49,7 +49,8 @@ void ImageWidget::paintEvent(QPaintEvent*) {
 }
 
 void ImageWidget::paintNotice(QPainter& painter) const {
-  if (m_notice.isEmpty()) return;
+  if (m_notice.isEmpty())
+    return paintText(painter, noticeArea(), Qt::AlignCenter, m_remark, labelColours());
   constexpr double left = 0.35;  // of the outdated picture
   if (!image().isNull()) painter.fillRect(rect(), withAlpha(tokens().canvas, 1 - left));
   paintText(painter, noticeArea(), Qt::AlignCenter, m_notice, labelColours());
@@ -58,7 +59,7 @@ void ImageWidget::paintNotice(QPainter& painter) const {
   painter.drawRect(rect().adjusted(0, 0, -1, -1));
 }
 
-/// Returns the part in whose middle the notice stands; buttons follow below it.
+/// Returns the part in whose middle notice or remark stand; buttons follow below it.
 QRect ImageWidget::noticeArea() const {
   const int longest = 60 * fontMetrics().averageCharWidth();
   const int margin = std::max(0, width() - longest) / 2;
@@ -168,7 +169,11 @@ QString ImageWidget::heading() const {
                        : mode == Mode::single   ? QString()
                        : mode == Mode::blink    ? m_images[m_turn].title
                                                 : m_images[0].title;
-  return (what + ' ' + ErrorText::tone(shownTone())).trimmed();
+  return (what + ' ' + toneText()).trimmed();
+}
+
+QString ImageWidget::toneText() const {
+  return ErrorText::tone(shownTone());
 }
 
 void ImageWidget::paintTexts(QPainter& painter) const {

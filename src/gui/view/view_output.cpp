@@ -78,8 +78,7 @@ void ViewOutput::showState() {
     action->setEnabled(m_source && !m_task->isRunning());
 }
 
-void ViewOutput::saveView(const QString& file, const QSize& size) {
-  const CameraState state = resized(m_model->current(), {size.width(), size.height()});
+void ViewOutput::saveView(const QString& file, const CameraState& state) {
   const std::optional<RenderJob> job =
       m_source ? std::optional(m_source->job(state)) : std::nullopt;
   if (!job)  // removed while the name was asked for
@@ -122,7 +121,8 @@ void ViewOutput::askView() {
   const QString name = QString::fromStdString(m_model->current().camera.name) + ".png";
   const QString file =
       chooseNewFile(m_view, tr("Save view"), name, tr("Pictures (*.png *.tif *.tiff *.exr *.jpg)"));
-  if (!file.isEmpty()) saveView(file, dialog.size());
+  const QSize size = dialog.size();
+  if (!file.isEmpty()) saveView(file, resized(m_model->current(), {size.width(), size.height()}));
 }
 
 void ViewOutput::askAnimation() {

@@ -29,10 +29,9 @@ class ViewOutput : public FileOutput {
 
   /// Sets the session's light field; none while it is read. A running job keeps its own.
   void setSource(const std::optional<ViewSource>& source);
-  /// Saves the current state's view of the same field at another size, as `--render` writes it: PNG
-  /// of 8 bits, TIFF of 16, EXR of unrounded floats, by extension. done() or failed() follows
-  /// later.
-  void saveView(const QString& file, const QSize& size);
+  /// Saves a state's view as `--render` writes it: PNG of 8 bits, TIFF of 16, EXR of unrounded
+  /// floats, by extension. done() or failed() follows later.
+  void saveView(const QString& file, const CameraState& state);
   /// Saves the views along a path, scaled by `scale`, with a video unless `ffmpeg` is "". Throws
   /// InputError as statesAlong().
   void saveAnimation(const CameraPath& path, const QString& folder, double scale,

@@ -241,6 +241,9 @@ void ViewWorker::renderAt(int scale, double patience, const ViewRequest& request
   if (scale > 1 && made.state.pupil.samples != request.state.pupil.samples)
     result.samples = made.state.pupil.samples;
   result.scale = result.samples > 0 ? made.method.scale : scale;
+  if (request.method) result.method = QString::fromStdString(request.method->name);
+  if (hasTwoEyes(request.state)) result.eyes = request.eyes;
+  result.isBuilt = request.source.twin != nullptr;
   result.plan = planOf(m_filter->GetChoice().job);
   send([this, result] { Q_EMIT rendered(result); });
 }

@@ -31,11 +31,14 @@ struct RenderedView {
   QImage seen;  ///< black where no ray meets the display; with RayEnd as index if asked for
   QImage otherImage;
   QImage otherSeen;
-  double milliseconds = 0;  ///< of both images
-  int scale = 1;            ///< above 1: a coarse image shown during editing
-  bool isOverview = false;  ///< coarse by fewer hogels and directions, not by scale
-  int samples = 0;          ///< of the pupil, if they are fewer than wanted; otherwise 0
-  QString plan;             ///< the rendering plan in one line
+  double milliseconds = 0;             ///< of both images
+  int scale = 1;                       ///< above 1: a coarse image shown during editing
+  bool isOverview = false;             ///< coarse by fewer hogels and directions, not by scale
+  int samples = 0;                     ///< of the pupil, if they are fewer than wanted; otherwise 0
+  QString plan;                        ///< the rendering plan in one line
+  QString method;                      ///< the chosen method's name; "" for the session's own
+  StereoView eyes = StereoView::head;  ///< of a state with two
+  bool isBuilt = false;                ///< with the errors of the session's twin
 };
 
 /// The certificate of a lens, and its drawing.

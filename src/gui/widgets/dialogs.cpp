@@ -10,8 +10,10 @@
 #include <QFileInfo>
 #include <QLocale>
 #include <QPushButton>
+#include <QRegularExpression>
 #include <QSettings>
 #include <QShortcut>
+#include <QStandardPaths>
 #include <algorithm>
 #include <cmath>
 
@@ -31,6 +33,18 @@ QMessageBox::StandardButton askUnsaved(QWidget* window, const QString& name) {
   box.setDefaultButton(QMessageBox::Save);
   box.setEscapeButton(QMessageBox::Cancel);
   return QMessageBox::StandardButton(box.exec());
+}
+
+std::optional<bool> askEither(QWidget* window, const QString& title, const QString& text,
+                              const std::array<QString, 2>& ways) {
+  QMessageBox box(QMessageBox::Question, title, text, QMessageBox::Cancel, window);
+  box.setObjectName("eitherBox");
+  QPushButton* first = box.addButton(ways[0], QMessageBox::AcceptRole);
+  const QPushButton* second = box.addButton(ways[1], QMessageBox::AcceptRole);
+  box.setDefaultButton(first);
+  box.exec();
+  if (box.clickedButton() == first) return true;
+  return box.clickedButton() == second ? std::optional(false) : std::nullopt;
 }
 
 Recovery askRecovery(QWidget* window, const QString& document, const QDateTime& time) {
@@ -79,6 +93,20 @@ QString lastFolder() {
   return QSettings().value(folderKey, QDir::homePath()).toString();
 }
 
+/// Returns the folder that was used last, or one of the user's own where that cannot be written.
+QString folderForOutput() {
+  const QString last = lastFolder();
+  if (QFileInfo(last).isWritable()) return last;
+  const QString documents = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
+  return QFileInfo(documents).isWritable() ? documents : QDir::homePath();
+}
+
+/// Returns the first ending that a filter like "Sessions (*.hogelscope *.json)" has; "" for none.
+QString firstSuffix(const QString& filter) {
+  static const QRegularExpression first(R"(\*\.(\w+))");
+  return first.match(filter).captured(1);
+}
+
 /// Disables Qt's deletion, renaming and moving of files. New folders can still be created for
 /// output.
 void keepFiles(QFileDialog& dialog) {
@@ -118,10 +146,14 @@ struct Asked {
 
 QStringList chosen(QWidget* parent, const QString& title, const Asked& asked,
                    const QString& name = {}) {
-  FolderMaker dialog(parent, title, lastFolder(), asked.filter);
+  const bool isOutput = !asked.options.testFlag(QFileDialog::ReadOnly);
+  FolderMaker dialog(parent, title, isOutput ? folderForOutput() : lastFolder(), asked.filter);
   dialog.setOptions(asked.options);
   dialog.setFileMode(asked.mode);
-  if (asked.mode == QFileDialog::AnyFile) dialog.setAcceptMode(QFileDialog::AcceptSave);
+  if (asked.mode == QFileDialog::AnyFile) {
+    dialog.setAcceptMode(QFileDialog::AcceptSave);
+    dialog.setDefaultSuffix(firstSuffix(asked.filter));  // or the dialogs that open hide the file
+  }
   dialog.selectFile(name);
   keepFiles(dialog);
   QStringList files;

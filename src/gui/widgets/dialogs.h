@@ -9,7 +9,9 @@
 #include <QMessageBox>
 #include <QString>
 #include <QStringList>
+#include <array>
 #include <memory>
+#include <optional>
 
 class QFormLayout;
 
@@ -21,6 +23,11 @@ namespace hogelscope {
 
 /// Asks before edits of `name` would be lost: Save, Discard or Cancel. Escape cancels.
 QMessageBox::StandardButton askUnsaved(QWidget* window, const QString& name);
+
+/// Asks for one of two ways, the first of which is proposed. Returns whether it is the first; none
+/// if the user cancels.
+std::optional<bool> askEither(QWidget* window, const QString& title, const QString& text,
+                              const std::array<QString, 2>& ways);
 
 enum class Recovery { recover, discard, later };
 /// Asks about edits of `document`, dated `time`, that a crash left behind. Escape means later.
