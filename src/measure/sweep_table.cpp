@@ -155,11 +155,12 @@ std::size_t gridCount(const SweepParameter& parameter) {
                              : std::size_t(parameter.to - parameter.from) + 1;
 }
 
-/// Returns value k of n of a grid.
+/// Returns value k of n of a grid. Whole numbers at whole steps stay whole, as a seed must be.
 std::string gridValue(const SweepParameter& parameter, std::size_t k, std::size_t n) {
   if (parameter.kind == SweepParameter::Kind::list) return parameter.values[k];
-  const double share = n > 1 ? double(k) / double(n - 1) : 0;
-  return numberText(parameter.from + share * (parameter.to - parameter.from));
+  if (n > 1 && k == n - 1) return numberText(parameter.to);
+  const double steps = n > 1 ? double(n - 1) : 1;
+  return numberText(parameter.from + double(k) * (parameter.to - parameter.from) / steps);
 }
 
 std::vector<Design> gridOf(const SweepTable& table) {

@@ -54,6 +54,19 @@ class TestSweep : public QObject {
                                       "psf.windowSize=4"}));
   }
 
+  /// Seeds and counts are whole numbers: 14 is no 14.000000000000002.
+  void wholeNumbersStayWhole() {
+    for (const char* const more : {"", R"(, "count": 100)"}) {
+      const auto designs = designsOf(
+          tableOf(R"({"twin.random.seed": {"from": 1, "to": 100)" + std::string(more) + "}}"));
+      QCOMPARE(designs.size(), std::size_t(100));
+      for (std::size_t k = 0; k < 100; ++k) QCOMPARE(designs[k][0], std::to_string(k + 1));
+    }
+    const auto tenths = designsOf(tableOf(R"({"a.b": {"from": 0.1, "to": 0.7, "count": 4}})"));
+    QCOMPARE(tenths.front()[0], std::string("0.1"));
+    QCOMPARE(tenths.back()[0], std::string("0.7"));
+  }
+
   /// Each value of a Latin hypercube lies in a stratum of its own.
   void hypercubes() {
     const std::string parameters =
