@@ -6,6 +6,7 @@
 #include <cmath>
 #include <functional>
 
+#include "core/base/bisect.h"
 #include "core/base/error.h"
 #include "core/base/parallel.h"
 #include "core/base/text.h"
@@ -141,45 +142,151 @@ class DesignFigures {
   std::optional<Views> m_views;
 };
 
+/// Returns the session without its twin, which is no part of a design.
+Session asDesigned(Session session) {
+  session.twin = {};
+  session.twinFile.clear();
+  return session;
+}
+
+/// The designs of a run, and what their figures are measured with. Views use all threads
+/// themselves, and a time is that of a view alone, so these are measured one after the other.
+struct DesignBench {
+  const Session& base;  ///< where figures need another design
+  const std::vector<std::string>& figures;
+  std::optional<Views> reference{};
+
+  [[nodiscard]] int workers() const {
+    return std::ranges::any_of(figures, needsViews) ? 1 : threadCount();
+  }
+  std::vector<double> measure(const Session& design, const Progress& progress) {
+    DesignFigures of(design, base, reference, progress);
+    std::vector<double> values;
+    for (const std::string& figure : figures) values.push_back(of.of(figure));
+    return values;
+  }
+};
+
 /// Measures all designs that `designOf` makes, on `base` where figures need another one.
 LongRun measureDesigns(const LongRunRequest& request, const Session& base,
                        const std::vector<std::string>& figures,
                        const std::function<Session(std::size_t)>& designOf,
                        const Progress& progress) {
-  // Views use all threads themselves; a time is that of a view alone.
-  const bool hasViews = std::ranges::any_of(figures, needsViews);
-  std::optional<Views> reference;
+  DesignBench bench{base, figures};
   return longRun(
-      request, hasViews ? 1 : threadCount(),
+      request, bench.workers(),
       [&](std::size_t item, std::size_t, const Progress& hear) {
-        const Session design = designOf(item);
-        DesignFigures of(design, base, reference, hear);
-        std::vector<double> values;
-        for (const std::string& figure : figures) values.push_back(of.of(figure));
-        return values;
+        return bench.measure(designOf(item), hear);
       },
       progress);
 }
 
-std::string keyOf(const SweepRequest& request, const std::vector<Design>& designs,
-                  const std::vector<std::filesystem::path>& files, const Progress& progress) {
+/// Returns values around the end of those with which a unit passes, by doubling or halving `near`.
+Bracket bracketAt(double near, const UnitsAtValue& units,
+                  const std::function<bool(double)>& isGood) {
+  constexpr double farthest = 1024;
+  Bracket ends{near, near};
+  if (isGood(near)) {
+    ends.outside = std::min(2 * near, units.most());
+    while (ends.outside < units.most() && isGood(ends.outside)) {
+      ends.inside = ends.outside;
+      ends.outside = std::min(2 * ends.outside, units.most());
+    }
+    return ends;
+  }
+  const double last = std::max(units.least(), near / farthest);
+  ends.inside = near / 2;
+  while (ends.inside > last && !isGood(ends.inside)) {
+    ends.outside = ends.inside;
+    ends.inside /= 2;
+  }
+  if (ends.inside <= last) ends.inside = units.least();
+  return ends;
+}
+
+/// Returns the largest value with which a unit passes, as SweepRow::limit says; `near` is that of
+/// another unit. What cannot be measured at a value is no good unit there, but at the least value
+/// all can.
+double limitOf(const UnitsAtValue& units, std::optional<double> near,
+               const std::function<bool(double)>& passes) {
+  constexpr int halvings = 60;
+  constexpr double tolerance = 1e-3;
+  const auto isGood = [&passes](double value) {
+    try {
+      return passes(value);
+    } catch (const InputError&) {
+      return false;
+    }
+  };
+  const Bracket ends =
+      near ? bracketAt(*near, units, isGood) : Bracket{units.least(), units.most()};
+  if (ends.inside == units.least() && !passes(units.least())) return noValue;
+  if (ends.outside == units.most() && isGood(units.most()))
+    return std::numeric_limits<double>::infinity();
+  return bisect(ends, halvings, isGood, tolerance).inside;
+}
+
+/// Returns a value near which the units' limits may be: that of the first unit, in every shard.
+std::optional<double> usualLimit(const UnitsAtValue& units,
+                                 const std::function<bool(double)>& passes) {
+  try {
+    const double limit = limitOf(units, {}, passes);
+    return std::isfinite(limit) && limit > std::max(0.0, units.least()) ? std::optional(limit)
+                                                                        : std::nullopt;
+  } catch (const InputError&) {  // its row will say so
+    return {};
+  }
+}
+
+/// Finds the largest value with which each unit passes, or what SweepRow::limit says.
+LongRun findLimits(const LongRunRequest& request, const SweepRequest& sweep,
+                   const UnitsAtValue& units, const Progress& progress) {
+  const std::vector<SweepLimit>& limits = sweep.table.pass;
+  const SweepTable table = units.tableAt(units.least());
+  const Session base = asDesigned(sweep.session);
+  std::vector<std::string> figures;
+  for (const SweepLimit& limit : limits) figures.push_back(limit.figure);
+  DesignBench bench{base, figures};
+  const auto passes = [&](std::size_t unit, double value, const Progress& hear) {
+    const std::vector<double> values =
+        bench.measure(overridden(sweep.session, overridesOf(table, units.at(unit, value))), hear);
+    for (std::size_t k = 0; k < limits.size(); ++k)
+      if (!limits[k].allows(values[k])) return false;
+    return true;
+  };
+  const auto near =
+      usualLimit(units, [&](double value) { return passes(0, value, part(progress, 0, 0)); });
+  return longRun(
+      request, bench.workers(),
+      [&](std::size_t unit, std::size_t, const Progress& hear) -> std::vector<double> {
+        return {limitOf(units, near, [&](double value) { return passes(unit, value, hear); })};
+      },
+      progress);
+}
+
+/// Says what the limits of units depend on beside designs; the yield is no part of it.
+std::string solveKey(const SweepTable& table) {
+  const auto text = [](const std::optional<double>& end) { return end ? numberText(*end) : ""; };
+  std::string key = "\nsolve " + table.solve->parameter + " " + text(table.solve->from) + " " +
+                    text(table.solve->to);
+  for (const auto& [figure, least, most] : table.pass)
+    key += "\n" + figure + " " + numberText(least) + " " + numberText(most);
+  return key;
+}
+
+std::string keyOf(const SweepRequest& request, const std::vector<std::filesystem::path>& files,
+                  const Progress& progress) {
   std::string text = textOf(request.session);
-  for (const Design& design : designs)
+  for (const Design& design : designsOf(request.table))
     for (const std::string& one : overridesOf(request.table, design)) text += "\n" + one;
   for (const std::string& figure : request.table.figures) text += "\n" + figure;
+  if (request.table.solve) text += solveKey(request.table);
   std::string hash;
   if (!files.empty() && !request.output.empty()) {
     makeFolder(request.output);
     hash = FileHashes(request.output).of(files, progress);
   }
   return "sweep " + std::string(programVersion()) + " " + contentHash(text) + " " + hash;
-}
-
-/// Returns the session without its twin, which is no part of a design.
-Session asDesigned(Session session) {
-  session.twin = {};
-  session.twinFile.clear();
-  return session;
 }
 
 /// Throws InputError if the parameters are not those of a session, before any work.
@@ -189,6 +296,56 @@ void checkParameters(const SweepRequest& request, const Design& design) {
   } catch (const InputError& error) {
     throw InputError("parameters", error.what());
   }
+}
+
+/// Measures the designs of the request's table.
+LongRun measureTable(const LongRunRequest& run, const SweepRequest& request,
+                     const Progress& progress) {
+  const std::vector<Design> designs = designsOf(request.table);
+  return measureDesigns(
+      run, asDesigned(request.session), request.table.figures,
+      [&](std::size_t item) {
+        return overridden(request.session, overridesOf(request.table, designs[item]));
+      },
+      progress);
+}
+
+std::vector<SweepRow> rowsOf(const SweepTable& table, const std::vector<JournalEntry>& measured) {
+  const std::vector<Design> designs = designsOf(table);
+  std::vector<SweepRow> rows;
+  for (std::size_t item = 0; item < designs.size(); ++item)
+    rows.push_back({designs[item], measured[item].values, false, measured[item].problem, false});
+  markPareto(table, rows);
+  markPassing(table, rows);
+  return rows;
+}
+
+/// Measures all units at the value that their limits give.
+void measureAtValue(SweepRequest request, const UnitsAtValue& units,
+                    const std::vector<JournalEntry>& limits, Sweep& result,
+                    const Progress& progress) {
+  std::vector<double> values;
+  for (const JournalEntry& unit : limits) values.push_back(unit.values.front());
+  SolvedValue found = solvedValue(values, request.table.solve->yield, units.least(), units.most());
+  request.table = units.tableAt(std::isnan(found.value) ? units.least() : found.value);
+  const LongRun run =
+      measureTable({"", "", units.count(), request.table.figures.size(), {}}, request, progress);
+  result.rows = rowsOf(request.table, run.rows);
+  for (std::size_t unit = 0; unit < values.size(); ++unit) result.rows[unit].limit = values[unit];
+  found.passed = yieldOf(result.rows).passed;
+  result.solvedText = solveText(units, *request.table.solve, found);
+  result.solved = found;
+  result.table = std::move(request.table);
+}
+
+void writeSweep(const SweepRequest& request, const Sweep& result) {
+  const std::string points = csv(request.table, result.rows);
+  std::vector<Figure> figures;
+  for (const auto& [name, svg] : sweepPlots(request.table, result.rows))
+    figures.push_back({name, "", "", svg, points, twoColumns});
+  writeFigures(request.output, figures);
+  writeTextFile(request.output / "sweep.html", sweepPage(request, result.rows, result.solvedText));
+  writeTextFile(request.output / "sweep.csv", points);
 }
 
 }  // namespace
@@ -225,33 +382,32 @@ std::vector<std::filesystem::path> inputsOf(const SweepRequest& request, const P
 Sweep sweep(const SweepRequest& request, const Progress& progress) {
   requireHogels(request.session.display, "a sweep");
   checkFigures(request.table, request.session);
-  const std::vector<Design> designs = designsOf(request.table);
-  checkParameters(request, designs.front());
-  const std::vector<std::filesystem::path> files = inputsOf(request, progress);
+  std::optional<UnitsAtValue> units;
+  if (request.table.solve) units.emplace(request.table, request.session);
+  SweepRequest own = request;
+  if (units) own.table = units->tableAt(units->least());
+  const std::vector<Design> designs = designsOf(own.table);
+  checkParameters(own, designs.front());
+  if (units) own.table = units->tableAt(units->most());  // where draws show, in the run's key
+  const std::vector<std::filesystem::path> files = inputsOf(own, progress);
   const FilesInUse inUse(files);
-  const LongRun run = measureDesigns(
-      {request.output, keyOf(request, designs, files, part(progress, 0, 0.02)), designs.size(),
-       request.table.figures.size(), request.shard},
-      asDesigned(request.session), request.table.figures,
-      [&](std::size_t item) {
-        return overridden(request.session, overridesOf(request.table, designs[item]));
-      },
-      part(progress, 0.02, 1));
-  Sweep result{{}, run.taken, run.replacedAnother};
+  const LongRunRequest journaled{request.output, keyOf(own, files, part(progress, 0, 0.02)),
+                                 designs.size(), units ? 1 : own.table.figures.size(),
+                                 request.shard};
+  const LongRun run = units ? findLimits(journaled, own, *units, part(progress, 0.02, 0.95))
+                            : measureTable(journaled, own, part(progress, 0.02, 1));
+  Sweep result{own.table, {}, run.taken, run.replacedAnother};
   if (request.shard) return result;
-  for (std::size_t item = 0; item < designs.size(); ++item)
-    result.rows.push_back(
-        {designs[item], run.rows[item].values, false, run.rows[item].problem, false});
-  markPareto(request.table, result.rows);
-  markPassing(request.table, result.rows);
+  if (units)
+    measureAtValue(own, *units, run.rows, result, part(progress, 0.95, 1));
+  else
+    result.rows = rowsOf(own.table, run.rows);
   if (request.output.empty()) return result;
-  const std::string points = csv(request.table, result.rows);
-  std::vector<Figure> figures;
-  for (const auto& [name, svg] : sweepPlots(request.table, result.rows))
-    figures.push_back({name, "", "", svg, points, twoColumns});
-  writeFigures(request.output, figures);
-  writeTextFile(request.output / "sweep.html", sweepPage(request, result.rows));
-  writeTextFile(request.output / "sweep.csv", points);
+  own.table = result.table;
+  writeSweep(own, result);
+  if (units)
+    writeTextFile(request.output / "sweep.json",
+                  solveJson(*units, *own.table.solve, *result.solved));
   run.journal->remove();
   FileHashes(request.output).remove();
   return result;

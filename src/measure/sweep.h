@@ -9,6 +9,7 @@
 
 #include "core/base/shard.h"
 #include "core/optics/session.h"
+#include "measure/sweep_solve.h"
 #include "measure/sweep_table.h"
 
 namespace hogelscope {
@@ -28,6 +29,9 @@ struct SweepRow {
   bool isPareto = false;
   std::string problem;
   bool passes = false;  ///< within all limits of the table
+  /// Of "solve": the largest value with which the unit passes; infinite if it does at the largest
+  /// one, NaN if it does not at the least one.
+  double limit = 0;
 };
 
 /// The share of units that pass.
@@ -39,9 +43,12 @@ struct SweepYield {
 };
 
 struct Sweep {
+  SweepTable table;  ///< of the rows; with "solve", at the value that was found
   std::vector<SweepRow> rows;
   std::size_t taken = 0;
   bool replacedAnother = false;
+  std::optional<SolvedValue> solved{};  ///< with "solve"
+  std::string solvedText{};             ///< the sentence of solveText()
 };
 
 /// Throws InputError unless all figures of the table are known: those of --measure that have one
@@ -56,6 +63,8 @@ void checkFigures(const SweepTable& table, const Session& session);
 std::vector<std::filesystem::path> inputsOf(const SweepRequest& request, const Progress& progress);
 
 /// Measures all designs, and writes sweep.csv, sweep.html and plots; for a shard only its part.
+/// With "solve" it finds the limit of each unit by bisection, to a thousandth, then measures all
+/// units at the value that was found, and writes sweep.json too.
 /// After a stop the same request goes on where it was. Throws InputError, Cancelled.
 Sweep sweep(const SweepRequest& request, const Progress& progress);
 
@@ -82,8 +91,9 @@ std::string effectText(const SweepTable& table, const std::vector<SweepRow>& row
 /// Returns "sweep.csv".
 std::string csv(const SweepTable& table, const std::vector<SweepRow>& rows);
 
-/// Returns "sweep.html", and its plots as (name, SVG).
-std::string sweepPage(const SweepRequest& request, const std::vector<SweepRow>& rows);
+/// Returns "sweep.html", and its plots as (name, SVG). `solved` is the sentence of solveText().
+std::string sweepPage(const SweepRequest& request, const std::vector<SweepRow>& rows,
+                      const std::string& solved = {});
 std::vector<std::pair<std::string, std::string>> sweepPlots(const SweepTable& table,
                                                             const std::vector<SweepRow>& rows);
 

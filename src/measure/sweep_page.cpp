@@ -2,13 +2,12 @@
 // The page of a sweep: parallel coordinates, a matrix of scatter plots, the table.
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 #include "core/base/axis.h"
 #include "core/base/colour_map.h"
 #include "core/base/text.h"
-#include "io/documents/light_field_params.h"
 #include "measure/measure_page.h"
+#include "measure/session_numbers.h"
 #include "measure/sweep.h"
 #include "page/html.h"
 #include "page/plot.h"
@@ -176,49 +175,6 @@ std::string scatterPlot(const std::vector<Column>& all, const std::vector<SweepR
   return text + "</svg>\n";
 }
 
-/// Finds the units of a session's parameters by their names in overrides.
-class ParameterUnits : public ParameterVisitor {
- public:
-  explicit ParameterUnits(Session session) {
-    TwinParams& twin = session.twin;
-    describeAll(session.display, twin.lensArray, twin.colour, twin.leakage, twin.light, twin.random,
-                twin.random.shift, twin.random.gain, session.lightField, session.sampling,
-                session.depth);
-    CameraState& state = session.cameras.front();
-    describeAll(state.camera, state.intrinsics, state.pupil, state.stereo, state.distortion,
-                state.psf);
-    m_within = "lightField.";
-    if (session.lightField.content.isGiven()) describe(*this, session.lightField.content);
-    describe(*this, session.lightField.live);
-  }
-  /// Returns "" if there is none.
-  [[nodiscard]] std::string of(const std::string& parameter) const {
-    const auto unit = m_units.find(parameter);
-    return unit == m_units.end() ? "" : unit->second;
-  }
-
- private:
-  template <class... Params>
-  void describeAll(Params&... params) {
-    (describe(*this, params), ...);
-  }
-  void group(std::string_view name, std::string_view) override {
-    m_group = m_within + std::string(name);
-  }
-  void numbers(const Field& field, std::span<double>, bool) override { add(field); }
-  void integers(const Field& field, std::span<int>, bool) override { add(field); }
-  void flag(const Field&, bool&) override {}
-  void text(const Field&, std::string&) override {}
-  void choice(const Field&, int&) override {}
-  void add(const Field& field) {
-    m_units[m_group + "." + std::string(field.name)] = std::string(field.unit);
-  }
-
-  std::map<std::string, std::string> m_units;
-  std::string m_within;
-  std::string m_group;
-};
-
 /// Returns the names of the table's columns, with units.
 std::vector<std::string> headsOf(const SweepRequest& request) {
   const SweepTable& table = request.table;
@@ -226,9 +182,11 @@ std::vector<std::string> headsOf(const SweepRequest& request) {
   const auto add = [&heads](const std::string& name, const std::string& unit) {
     heads.push_back(unit.empty() ? name : name + " (" + unit + ")");
   };
-  const ParameterUnits units(request.session);
-  for (const SweepParameter& parameter : table.parameters)
-    add(parameter.name, units.of(parameter.name));
+  const std::vector<SessionNumber> numbers = numbersOf(request.session);
+  for (const SweepParameter& parameter : table.parameters) {
+    const auto number = std::ranges::find(numbers, parameter.name, &SessionNumber::name);
+    add(parameter.name, number == numbers.end() ? std::string() : number->unit);
+  }
   for (const std::string& figure : table.figures) add(figure, std::string(figureRow(figure).unit));
   return heads;
 }
@@ -281,7 +239,8 @@ std::vector<std::pair<std::string, std::string>> sweepPlots(const SweepTable& ta
   return {{"parallel", parallelPlot(columns, rows)}, {"scatter", scatterPlot(columns, rows)}};
 }
 
-std::string sweepPage(const SweepRequest& request, const std::vector<SweepRow>& rows) {
+std::string sweepPage(const SweepRequest& request, const std::vector<SweepRow>& rows,
+                      const std::string& solved) {
   const auto plots = sweepPlots(request.table, rows);
   const auto best = std::ranges::count_if(rows, &SweepRow::isPareto);
   std::string body =
@@ -290,6 +249,7 @@ std::string sweepPage(const SweepRequest& request, const std::vector<SweepRow>& 
                                                      : " designs of a Latin hypercube");
   if (!request.table.pareto.empty())
     body += "; " + std::to_string(best) + " (red) are on the Pareto front";
+  if (!solved.empty()) body += ". " + escaped(solved);
   if (!request.table.pass.empty()) body += ". " + escaped(yieldText(request.table, rows));
   if (const std::string effect = effectText(request.table, rows); !effect.empty())
     body += ". " + escaped(effect);

@@ -13,15 +13,6 @@ namespace hogelscope {
 
 namespace {
 
-/// Whether the designs are units that were drawn, whose share that passes is a yield: by normal
-/// distributions or seeds, or errors of a twin in a Latin hypercube.
-bool areUnits(const SweepTable& table) {
-  return std::ranges::any_of(table.parameters, [&table](const SweepParameter& parameter) {
-    return parameter.kind == SweepParameter::Kind::normal || parameter.name.ends_with(".seed") ||
-           (table.sampling == SweepSampling::latinHypercube && parameter.name.starts_with("twin."));
-  });
-}
-
 bool areAlike(const std::vector<std::size_t>& figures, const SweepRow& a, const SweepRow& b) {
   return std::ranges::all_of(figures, [&](std::size_t figure) {
     const double first = a.figures[figure];
@@ -91,8 +82,7 @@ void markPassing(const SweepTable& table, std::vector<SweepRow>& rows) {
   for (SweepRow& row : rows)
     row.passes = std::ranges::all_of(table.pass, [&](const SweepLimit& limit) {
       const auto figure = std::ranges::find(table.figures, limit.figure) - table.figures.begin();
-      const double value = row.figures[std::size_t(figure)];
-      return value >= limit.least && value <= limit.most;
+      return limit.allows(row.figures[std::size_t(figure)]);
     });
 }
 
@@ -149,6 +139,7 @@ std::string csv(const SweepTable& table, const std::vector<SweepRow>& rows) {
   lines[0].insert(lines[0].end(), table.figures.begin(), table.figures.end());
   lines[0].emplace_back("pareto");
   if (!table.pass.empty()) lines[0].emplace_back("pass");
+  if (table.solve) lines[0].emplace_back("limit");
   lines[0].emplace_back("problem");
   for (const SweepRow& row : rows) {
     std::vector<std::string> cells{std::to_string(lines.size())};
@@ -156,6 +147,7 @@ std::string csv(const SweepTable& table, const std::vector<SweepRow>& rows) {
     std::ranges::transform(row.figures, std::back_inserter(cells), numberCell);
     cells.emplace_back(row.isPareto ? "1" : "0");
     if (!table.pass.empty()) cells.emplace_back(row.passes ? "1" : "0");
+    if (table.solve) cells.push_back(numberCell(row.limit));
     cells.push_back(row.problem);
     lines.push_back(std::move(cells));
   }

@@ -128,11 +128,10 @@ void readSampling(const Json& document, SweepTable& table) {
 }
 
 /// Reads the limits of good units: a number is the least that a figure may be.
-void readPass(const Json& pass, SweepTable& table) {
-  if (!pass.is_object())
-    throw InputError("pass", "is not an object, such as {\"psnr:design\": 30}");
+void readPass(const Json& pass, const std::string& where, SweepTable& table) {
+  if (!pass.is_object()) throw InputError(where, "is not an object, such as {\"psnr:design\": 30}");
   for (const auto& [figure, value] : pass.items()) {
-    const std::string path = "pass." + figure;
+    const std::string path = where + "." + figure;
     if (std::ranges::find(table.figures, figure) == table.figures.end())
       throw InputError(path, "is none of the figures");
     SweepLimit limit{figure};
@@ -147,6 +146,27 @@ void readPass(const Json& pass, SweepTable& table) {
     }
     table.pass.push_back(limit);
   }
+}
+
+void readSolve(const Json& solve, SweepTable& table) {
+  if (!solve.is_object())
+    throw InputError("solve",
+                     "is not an object, such as {\"parameter\": \"twin.random.shift.sigma\", "
+                     "\"yield\": 0.95, \"pass\": {\"psnr:design\": 30}}");
+  refuseOthers(solve, "solve.", {"parameter", "yield", "pass", "from", "to"});
+  if (!solve.contains("parameter") || !solve["parameter"].is_string())
+    throw InputError("solve.parameter", "is missing: the name of what is solved for");
+  SweepSolve read{solve["parameter"].get<std::string>(), numberAt(solve, "yield", "solve"), {}, {}};
+  if (!(read.yield > 0 && read.yield < 1))
+    throw InputError("solve.yield", numberText(read.yield) + " is not between 0 and 1");
+  if (solve.contains("from")) read.from = numberAt(solve, "from", "solve");
+  if (solve.contains("to")) read.to = numberAt(solve, "to", "solve");
+  if (!table.pass.empty())
+    throw InputError("pass", "is for a sweep without solve, which has a pass of its own");
+  if (!solve.contains("pass")) throw InputError("solve.pass", "is missing: limits of good units");
+  readPass(solve["pass"], "solve.pass", table);
+  if (table.pass.empty()) throw InputError("solve.pass", "has no limit");
+  table.solve = read;
 }
 
 std::size_t gridCount(const SweepParameter& parameter) {
@@ -202,6 +222,13 @@ std::vector<Design> hypercubeOf(const SweepTable& table) {
 
 }  // namespace
 
+bool areUnits(const SweepTable& table) {
+  return std::ranges::any_of(table.parameters, [&table](const SweepParameter& parameter) {
+    return parameter.kind == SweepParameter::Kind::normal || parameter.name.ends_with(".seed") ||
+           (table.sampling == SweepSampling::latinHypercube && parameter.name.starts_with("twin."));
+  });
+}
+
 double normalQuantile(double share) {
   const auto isBelow = [share](double x) { return 0.5 * std::erfc(-x / std::sqrt(2.0)) < share; };
   return bisect({-40, 40}, 80, isBelow).middle();
@@ -222,7 +249,7 @@ SweepTable parseSweepTable(const std::string& text) {
   const Json document = parseJson(text);
   if (!document.is_object()) throw InputError("table", "is not an object: { \"parameters\": … }");
   refuseOthers(document, "",
-               {"parameters", "sampling", "count", "seed", "figures", "pareto", "pass"});
+               {"parameters", "sampling", "count", "seed", "figures", "pareto", "pass", "solve"});
   SweepTable table;
   if (!document.contains("parameters") || !document["parameters"].is_object() ||
       document["parameters"].empty())
@@ -233,7 +260,8 @@ SweepTable parseSweepTable(const std::string& text) {
   if (!document.contains("figures")) throw InputError("figures", "is missing");
   for (const Json& figure : listOf(document, "figures"))
     table.figures.push_back(figure.get<std::string>());
-  if (document.contains("pass")) readPass(document["pass"], table);
+  if (document.contains("pass")) readPass(document["pass"], "pass", table);
+  if (document.contains("solve")) readSolve(document["solve"], table);
   if (!document.contains("pareto")) return table;
   if (!document["pareto"].is_object())
     throw InputError("pareto", "is not an object, such as {\"depthOfField\": \"max\"}");

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <limits>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -40,6 +41,17 @@ struct SweepLimit {
   std::string figure;
   double least = -std::numeric_limits<double>::infinity();
   double most = std::numeric_limits<double>::infinity();
+
+  [[nodiscard]] bool allows(double value) const { return value >= least && value <= most; }
+};
+
+/// "solve": the largest value of a parameter with which at least this share of units passes. The
+/// limits of good units are those of the table.
+struct SweepSolve {
+  std::string parameter;
+  double yield = 0;            ///< above 0, below 1
+  std::optional<double> from;  ///< of the values that are looked at; none: of the parameter's own
+  std::optional<double> to;
 };
 
 enum class SweepSampling { grid, latinHypercube };
@@ -52,6 +64,7 @@ struct SweepTable {
   std::vector<std::string> figures;
   std::vector<SweepGoal> pareto;
   std::vector<SweepLimit> pass;
+  std::optional<SweepSolve> solve;
 };
 
 /// The most designs of a sweep.
@@ -70,6 +83,10 @@ std::vector<Design> designsOf(const SweepTable& table);
 
 /// Returns the overrides of a session that make a design, as --set takes them.
 std::vector<std::string> overridesOf(const SweepTable& table, const Design& design);
+
+/// Whether the designs are units that were drawn, whose share that passes is a yield: by normal
+/// distributions or seeds, or errors of a twin in a Latin hypercube.
+bool areUnits(const SweepTable& table);
 
 /// The inverse of the normal distribution's Φ, by bisection: Φ(x) = share.
 double normalQuantile(double share);

@@ -58,7 +58,8 @@ std::string sweepSession(const Document& document, const std::string& table,
     const FilesInUse inUse(filesOf(request.session));
     request.table = parseSweepTable(table);
     request.output = output;
-    return csv(request.table, sweep(request, hear).rows);
+    const Sweep swept = sweep(request, hear);
+    return csv(swept.table, swept.rows);
   });
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Tests --sweep as a user runs it: files, going on after a stop, shards, pictures of a live scene,
 // what it refuses.
+#include <QJsonDocument>
+#include <QJsonObject>
 #include <QTemporaryDir>
 #include <QTest>
 #include <QXmlStreamReader>
@@ -20,6 +22,7 @@ class TestSweepJob : public QObject {
   void comparesPictures();
   void leavesNoHashes();
   void goesOnAndShares();
+  void solves();
   void mistakes();
 
  private:
@@ -140,6 +143,57 @@ void TestSweepJob::goesOnAndShares() {
   QCOMPARE(run({"--status", "shared"}, m_folder->path()).status, 0);
 }
 
+/// The largest scatter of lenses for a yield; shards find the limits of their units.
+void TestSweepJob::solves() {
+  const auto solve = [](const QByteArray& more) {
+    writeFile("t.json", R"({"parameters": {"twin.random.seed": {"from": 1, "to": 12}},
+                            "figures": ["psnr:design", "megapixels"],
+                            "solve": {"parameter": "twin.random.shift.sigma", "yield": 0.75,
+                                      "pass": {"psnr:design": 25})" +
+                            more + "}}");
+  };
+  solve(R"(, "to": 0.01)");
+  const Outcome outcome = sweep({"--output", "whole"});
+  QCOMPARE(outcome.err, QByteArray());
+  QCOMPARE(outcome.status, 0);
+  QCOMPARE(namesIn("whole"), (QStringList{"plots", "sweep.csv", "sweep.html", "sweep.json"}));
+  const QJsonObject found =
+      QJsonDocument::fromJson(contentOf("whole/sweep.json")).object()["solve"].toObject();
+  const double value = found["value"].toDouble();
+  QVERIFY(value > 0 && value < 0.01);
+  QCOMPARE(found["unit"].toString(), QString("m"));
+  QCOMPARE(found["units"].toInt(), 12);
+  QCOMPARE(found["text"].toString(), QString::fromUtf8(outcome.out).split('\n').at(1));
+  QVERIFY2(outcome.out.contains("largest twin.random.shift.sigma for a yield of 75 %: "),
+           outcome.out);
+  QVERIFY2(outcome.out.contains(" of 12 units pass (psnr:design at least 25): yield "),
+           outcome.out);
+  QList<QStringList> rows = tableOf("whole/sweep.csv");
+  QCOMPARE(rows.takeFirst().join(","),
+           QString("design,twin.random.seed,twin.random.shift.sigma,psnr:design,megapixels,pareto,"
+                   "pass,limit,problem"));
+  QCOMPARE(rows.size(), 12);
+  int passing = 0, within = 0;
+  for (const QStringList& row : rows) {
+    QCOMPARE(row[2].toDouble(), value);
+    QCOMPARE(row[6], QString(row[3].toDouble() >= 25 ? "1" : "0"));
+    passing += row[6].toInt();
+    within += row[7].toDouble() >= value ? 1 : 0;
+  }
+  QCOMPARE(within, 9);
+  QCOMPARE(found["passed"].toInt(), passing);
+  QCOMPARE(sweep({"--output", "shared", "--shard", "1/2"}).status, 0);
+  QVERIFY(!QFile::exists("shared/sweep.json"));
+  const Outcome rest = sweep({"--output", "shared"});
+  QVERIFY2(rest.err.contains("went on after 6 designs"), rest.err);
+  for (const char* const file : {"sweep.csv", "sweep.html", "sweep.json"})
+    QCOMPARE(contentOf("shared/" + QString(file)), contentOf("whole/" + QString(file)));
+  // Limits of other values are others.
+  QCOMPARE(sweep({"--output", "other", "--shard", "1/2"}).status, 0);
+  solve(R"(, "to": 0.02)");
+  QVERIFY(!sweep({"--output", "other"}).err.contains("went on"));
+}
+
 void TestSweepJob::mistakes() {
   const auto refuses = [&](const QByteArray& table, const QByteArray& line) {
     writeFile("t.json", table);
@@ -155,6 +209,10 @@ void TestSweepJob::mistakes() {
   refuses(R"({"parameters": {"psf.sgma": [1]}, "figures": ["contrast"]})",
           "did you mean \"sigma\"?");
   refuses("{", "");
+  refuses(R"({"parameters": {"twin.random.seed": {"from": 1, "to": 3}}, "figures": ["contrast"],
+              "solve": {"parameter": "twin.random.shift.sigm", "yield": 0.9,
+                        "pass": {"contrast": 1}}})",
+          "did you mean \"twin.random.shift.sigma\"?");
   refuses(R"({"parameters": {"nothing.sigma": [1]}, "figures": ["contrast"]})",
           "there is no section \"nothing\"");
 }

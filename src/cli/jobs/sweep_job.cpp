@@ -22,7 +22,9 @@ int runSweep(const CommandLine& line) {
   request.shard = shardOf(line);
   const std::filesystem::path folder = request.output;
   const FilesInUse inUse(inputsOf(request, {}));
-  checkResults(line, request.session, {folder / "sweep.csv", folder / "sweep.html"});
+  std::vector<std::filesystem::path> results{folder / "sweep.csv", folder / "sweep.html"};
+  if (request.table.solve) results.push_back(folder / "sweep.json");
+  checkResults(line, request.session, results);
   ProgressBar bar("measuring designs", line.has("quiet"));
   const Sweep result = inFile(line.subject, [&] { return sweep(request, bar.progress()); });
   bar.done();
@@ -39,9 +41,10 @@ int runSweep(const CommandLine& line) {
               << " of them on the Pareto front,";
   std::cout << " in " << printable((folder / "sweep.csv").string()) << " and "
             << printable((folder / "sweep.html").string()) << "\n";
-  if (const std::string yield = yieldText(request.table, result.rows); !yield.empty())
+  if (result.solved) std::cout << result.solvedText << "\n";
+  if (const std::string yield = yieldText(result.table, result.rows); !yield.empty())
     std::cout << yield << "\n";
-  if (const std::string effect = effectText(request.table, result.rows); !effect.empty())
+  if (const std::string effect = effectText(result.table, result.rows); !effect.empty())
     std::cout << effect << "\n";
   return 0;
 }
@@ -54,8 +57,9 @@ Job sweepJob() {
               "says: DIR/sweep.csv, sweep.html, plots.",
           .details =
               "TABLE.json has parameters, sampling (grid or latin-hypercube, with count and "
-              "seed), figures and pareto. After a stop the same command goes on where it was, "
-              "and --shard K/N does a part, as of a report.",
+              "seed), figures and pareto; of units that are drawn, pass gives the yield, and solve "
+              "the largest value of a parameter for a yield. After a stop the same command goes on "
+              "where it was, and --shard K/N does a part, as of a report.",
           .examples =
               "  hogelscope --sweep table.json --session s.json --output sweep\n"
               "  hogelscope --sweep table.json --session s.json --output sweep --shard 2/4\n",
