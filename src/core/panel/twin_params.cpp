@@ -90,8 +90,8 @@ void describe(ParameterVisitor& v, TwinMapFiles& p) {
 }
 
 namespace {
-void describeDraw(ParameterVisitor& v, RandomErrors& p, const char* unit) {
-  v.field("sigma", p.sigma, {0, 1, 1e-6, false, 0, 0.1}, unit, "Standard deviation.");
+void describeDraw(ParameterVisitor& v, RandomErrors& p, const char* unit, double usual) {
+  v.field("sigma", p.sigma, {0, 1, 1e-6, false, 0, usual}, unit, "Standard deviation.");
   v.field("length", p.length, {0, 1000, 0.1, false, 0, 20}, "hogels",
           "Distance at which the draws of two hogels are correlated by 1/e; 0: independent.");
 }
@@ -99,12 +99,12 @@ void describeDraw(ParameterVisitor& v, RandomErrors& p, const char* unit) {
 
 void describe(ParameterVisitor& v, RandomShift& p) {
   v.group("twin.random.shift", "Drawn shifts of each hogel's lens, across and down.");
-  describeDraw(v, p, "m");
+  describeDraw(v, p, "m", 1e-4);
 }
 
 void describe(ParameterVisitor& v, RandomGain& p) {
   v.group("twin.random.gain", "Drawn gains of each hogel, of all colours together.");
-  describeDraw(v, p, "");
+  describeDraw(v, p, "", 0.1);
 }
 
 std::vector<std::string*> TwinMapFiles::files() {
