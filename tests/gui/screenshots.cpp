@@ -3,7 +3,7 @@
 // screenshots FOLDER WIDTHxHEIGHT TEST drives the real window on the sample session; TEST is a
 // light field to compare with. screenshots FOLDER WIDTHxHEIGHT SESSION ACTION… opens a session,
 // triggers the actions and makes one image, named by the size and the scale of the screen. An
-// action may also be a button, or a slider with its value: designFov=400.
+// action may also be a button, or a slider, a list or a number with its value: designFov=400.
 #include <QAbstractButton>
 #include <QApplication>
 #include <QComboBox>
@@ -56,6 +56,10 @@ class Shooting {
       const QString name = action.section('=', 0, 0);
       if (auto* slider = m_window.findChild<QSlider*>(name))
         slider->setValue(action.section('=', 1).toInt());
+      else if (auto* box = m_window.findChild<QComboBox*>(name))
+        box->setCurrentText(action.section('=', 1));
+      else if (auto* field = m_window.findChild<QDoubleSpinBox*>(name))
+        field->setValue(action.section('=', 1).toDouble());
       else if (auto* button = m_window.findChild<QAbstractButton*>(name))
         button->click();
       else
