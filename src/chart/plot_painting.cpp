@@ -91,6 +91,22 @@ struct PlotPainter {
                      colours.text);
   }
 
+  /// Paints the lines of the limit and of the mark, which are no data.
+  void paintLines() const {
+    painter.setPen(QPen(colours.accent, 1, Qt::DashLine));
+    if (plot.limit) {
+      const double y = area.up.at(*plot.limit);
+      painter.drawLine(QPointF(area.across.from, y), QPointF(area.across.to, y));
+    }
+    if (!plot.mark || *plot.mark < area.across.low || *plot.mark > area.across.high) return;
+    const double x = area.across.at(*plot.mark);
+    painter.setPen(QPen(colours.text2, 1, Qt::DashLine));
+    painter.drawLine(QPointF(x, area.up.from), QPointF(x, area.up.to));
+    const bool isRight = x < (area.across.from + area.across.to) / 2;
+    write({isRight ? x + 4 : x - 204, area.up.to, 200, 1.5 * text},
+          isRight ? Qt::AlignLeft : Qt::AlignRight, plot.markName, colours.text2);
+  }
+
   /// Paints a series' curve over the band of its intervals, and its name at the end.
   void paintCurve(std::size_t k) const {
     QPolygonF line;
@@ -191,6 +207,7 @@ void paintPlot(QPainter& painter, const QSizeF& size, const Plot& plot, const Ch
   painter.save();
   const PlotPainter parts{painter, size, plot, colours};
   parts.paintFrame();
+  parts.paintLines();
   for (std::size_t k = 0; plot.hasCurves && k < plot.series.size(); ++k) parts.paintCurve(k);
   parts.paintPoints(selected);
   if (hasLegend(plot)) parts.paintLegend();

@@ -17,7 +17,7 @@ constexpr std::array rows{
     FigureRow{"slopeStep", "", false, bench},
     FigureRow{"degreesPerDirection", "°", true, bench},
     FigureRow{"directionsPerPupil", "", false, bench},
-    FigureRow{"megapixels", "Mpx", false, bench, "Pixels", 8},
+    FigureRow{"megapixels", "Mpx", false, bench, "Pixels", 8, true},
     FigureRow{"viewsPerMetre", "1/m", true},
     FigureRow{"viewingCone", "°", true},
     FigureRow{"flip", "m", true},
@@ -25,10 +25,10 @@ constexpr std::array rows{
     FigureRow{"lobe", "views", true},
     FigureRow{"viewingZone", "m", true, bench, "Viewing zone's width", 4},
     FigureRow{"qualifiedViewingSpace", "m", false, bench},
-    FigureRow{"crosstalk", "", true, bench, "Crosstalk of two eyes", 5},
+    FigureRow{"crosstalk", "", true, bench, "Crosstalk of two eyes", 5, true},
     FigureRow{"crosstalkMatrix"},
     FigureRow{"angularProfile", "°", true, bench},
-    FigureRow{"angularResolution", "°", false, bench, "Angular resolution", 6},
+    FigureRow{"angularResolution", "°", false, bench, "Angular resolution", 6, true},
     FigureRow{"uniformity", "", false, bench},
     FigureRow{"contrast", "", false, bench},
     FigureRow{"spatialResolution", "1/mm", false, bench, "Detail on the panel", 7},
@@ -44,7 +44,7 @@ constexpr std::array rows{
     FigureRow{"throughFocus"},
     FigureRow{"diffraction", "", false, bench},
     FigureRow{"psnr:ideal", "dB", false, views, "PSNR to the ideal view", 9},
-    FigureRow{"psnr:design", "dB", false, views},
+    FigureRow{"psnr:design", "dB", false, views, "PSNR to the design", 10},
     FigureRow{"milliseconds", "ms", false, clock}};
 
 }  // namespace

@@ -46,8 +46,9 @@ struct FigureRow {
   std::string_view unit{};  ///< of that value; "" for ratios
   bool isHeadline = false;  ///< whether --measure prints the value
   SweptWith sweptWith = SweptWith::nothing;
-  const char* title = "";  ///< in the window's sweep, without the unit
-  int inWindow = 0;        ///< place among the window's sweeps, from 1 on; 0: none
+  const char* title = "";     ///< in the window's sweep, without the unit
+  int inWindow = 0;           ///< place among the window's sweeps, from 1 on; 0: none
+  bool isBetterLess = false;  ///< whether designs are good up to a limit, not from it on
 
   [[nodiscard]] bool isOf(const Measurement& one) const {
     return one.figure == name && one.unit == unit;

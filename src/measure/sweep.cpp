@@ -413,12 +413,12 @@ Sweep sweep(const SweepRequest& request, const Progress& progress) {
   return result;
 }
 
-std::vector<SweepRow> measureDesigns(const std::vector<Session>& designs,
+std::vector<SweepRow> measureDesigns(const std::vector<Session>& designs, const Session& base,
                                      const std::vector<std::string>& figures,
                                      const Progress& progress) {
   requireHogels(designs.front().display, "a sweep");
   const LongRun run = measureDesigns(
-      {"", "", designs.size(), figures.size(), {}}, designs.front(), figures,
+      {"", "", designs.size(), figures.size(), {}}, base, figures,
       [&](std::size_t item) { return designs[item]; }, progress);
   std::vector<SweepRow> rows;
   for (const JournalEntry& row : run.rows)

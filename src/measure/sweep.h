@@ -69,8 +69,8 @@ std::vector<std::filesystem::path> inputsOf(const SweepRequest& request, const P
 Sweep sweep(const SweepRequest& request, const Progress& progress);
 
 /// Measures figures of designs that are whole sessions, one at least, as rows without `design`.
-/// "psnr:design" is against the first one. Throws InputError for lens sheets, Cancelled.
-std::vector<SweepRow> measureDesigns(const std::vector<Session>& designs,
+/// "psnr:design" is against `base`. Throws InputError for lens sheets, Cancelled.
+std::vector<SweepRow> measureDesigns(const std::vector<Session>& designs, const Session& base,
                                      const std::vector<std::string>& figures,
                                      const Progress& progress);
 

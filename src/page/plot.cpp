@@ -221,6 +221,7 @@ PlotArea areaOf(const Plot& plot, const PlotBox& box) {
       include(area.up, plot.hasCurves ? point.interval.low : point.up);
       include(area.up, plot.hasCurves ? point.interval.high : point.up);
     }
+  if (plot.limit) include(area.up, *plot.limit);
   if (plot.panel > 0) {
     for (const double edge : {-plot.panel / 2, plot.panel / 2}) include(area.across, edge);
     include(area.up, 0);

@@ -39,7 +39,10 @@ struct Plot {
 
   // For the window only.
   double panel = 0;  ///< width of a bar at 0; above 0 in maps, whose axes have one scale
-  std::optional<Axis> shades{};  ///< low and high of the colour bar
+  std::optional<Axis> shades{};   ///< low and high of the colour bar
+  std::optional<double> limit{};  ///< a line across at this height
+  std::optional<double> mark{};   ///< an upright line at this place, if it is on the axis
+  std::string markName{};
 };
 
 /// The area of a plot: `width` × `height`, with margins for its titles.

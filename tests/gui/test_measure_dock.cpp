@@ -4,13 +4,17 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDockWidget>
+#include <QDoubleSpinBox>
 #include <QLabel>
 #include <QPushButton>
+#include <QSet>
 #include <QSlider>
 #include <QToolButton>
 #include <QUndoStack>
 
 #include "chart/depth_budget_chart.h"
+#include "chart/plot_painting.h"
+#include "gui/docks/chart_colours.h"
 #include "gui/docks/design_parameters.h"
 #include "gui/docks/measure_run_widget.h"
 #include "gui/docks/measure_widget.h"
@@ -246,6 +250,89 @@ class TestMeasureDock : public WindowTest {
     QTRY_COMPARE_WITH_TIMEOUT(child<QPushButton>("sweepButton")->text(), QString("S&weep"),
                               patience);
     QVERIFY(sweep->plot().series.empty());
+  }
+
+  /// Errors of a unit are swept too: where the picture is good is said, the design is marked, and a
+  /// point of the curve is read and taken with the mouse.
+  void sweepsTheTwin() {
+    child<QComboBox>("sweepParameter")->setCurrentText("Lens array · Rotation");
+    QCOMPARE(child<QComboBox>("sweepFigure")->currentText(), QString("PSNR to the design, dB"));
+    auto* from = child<QDoubleSpinBox>("sweepFrom");
+    auto* to = child<QDoubleSpinBox>("sweepTo");
+    QCOMPARE(from->value(), -0.1);
+    QCOMPARE(to->value(), 0.1);
+    from->setValue(-5);
+    to->setValue(5);
+    auto* sweep = m_window->findChild<SweepWidget*>();
+    QTest::mouseClick(child<QPushButton>("sweepButton"), Qt::LeftButton);
+    QTRY_VERIFY_WITH_TIMEOUT(!sweep->plot().series.empty(), patience);
+    const Plot plot = sweep->plot();
+    const auto& points = plot.series.front().points;
+    QCOMPARE(points.size(), std::size_t(12));
+    QCOMPARE(points.front().across, -5.0);
+    QVERIFY(points[5].up > points[0].up && points[6].up > points[11].up);
+    QVERIFY(plot.mark == 0.0);
+    // A limit between the middle and the ends is crossed on both sides.
+    const double limit = std::round(0.5 * (std::min(points[5].up, points[6].up) +
+                                           std::max(points.front().up, points.back().up)));
+    child<QDoubleSpinBox>("sweepLimit")->setValue(limit);
+    auto* answer = child<QLabel>("sweepAnswer");
+    QVERIFY(answer->isVisible());
+    QVERIFY2(answer->text().startsWith("PSNR to the design ≥ ") && answer->text().endsWith("°"),
+             qPrintable(answer->text()));
+    QVERIFY2(answer->text().contains("±") || answer->text().contains(" … "),
+             qPrintable(answer->text()));
+    QCOMPARE(sweep->plot().limit, std::optional(limit));
+    child<QDoubleSpinBox>("sweepLimit")->setValue(200);
+    QVERIFY2(answer->text().endsWith("nowhere in this range"), qPrintable(answer->text()));
+    child<QComboBox>("sweepSense")->setCurrentIndex(1);
+    QVERIFY2(answer->text().contains("≤ 200 dB: all of -5 … 5"), qPrintable(answer->text()));
+    child<QComboBox>("sweepSense")->setCurrentIndex(0);
+    child<QDoubleSpinBox>("sweepLimit")->setValue(30);
+    // The mouse at a point, as the plot paints it.
+    auto* chart = child<QWidget>("sweepPlot");
+    const double text = chartFont().pixelSize();
+    const double title = 1.6 * QFontMetrics(chartFont()).height();
+    const QSizeF size(chart->width(), chart->height() - title);
+    const auto at = placeOf(sweep->plot(), 8, size, text);
+    QVERIFY(at.has_value());
+    const QPoint place = (*at + QPointF(0, title)).toPoint();
+    const QImage before = picture("sweepPlot");
+    QTest::mouseMove(chart, QPoint(2, 2));
+    QTest::mouseMove(chart, place);
+    QTRY_COMPARE_WITH_TIMEOUT(sweep->hovered(), std::optional<std::size_t>(8), patience);
+    QVERIFY(picture("sweepPlot") != before);
+    const int edits = m_model->undoStack()->index();
+    QTest::mouseClick(chart, Qt::LeftButton, {}, place);
+    QCOMPARE(m_model->session().twin.lensArray.rotation, points[8].across);
+    QCOMPARE(m_model->undoStack()->index(), edits + 1);
+    QCOMPARE(m_model->undoStack()->undoText(), QString("Change lens array · rotation"));
+    QVERIFY(sweep->plot().mark == points[8].across);
+    m_model->undoStack()->undo();
+    QCOMPARE(m_model->session().twin.lensArray.rotation, 0.0);
+    QVERIFY(m_model->session().twin == TwinParams());
+  }
+
+  /// Every number of display and twin is there, reads as it is set, and keeps the session whole.
+  void sweepsAllNumbers() {
+    const auto& all = sweptParameters();
+    QVERIFY(all.size() > 30);
+    QSet<QString> labels;
+    for (const DesignParameter& one : all) {
+      QVERIFY2(!labels.contains(one.label), qPrintable(one.label));
+      labels << one.label;
+      const double value = one.isWhole ? 3 : 0.5 * (one.usualLeast + one.usualMost) + 1e-3;
+      const Session set = withValue(m_model->session(), 0, one, value, Hold::size);
+      QVERIFY2(std::abs(one.get(set, 0) - value) < 1e-12, qPrintable(one.label));
+    }
+    for (const char* const label :
+         {"Display · Position x", "Lens array · Offset y", "Colour · Scale blue", "Shift · Sigma",
+          "Random · Seed", "Light · Bits", "Gain · Sigma"})
+      QVERIFY2(labels.contains(label), label);
+    // A unit that changes light needs linear light.
+    const auto gain = std::ranges::find(all, QString("Gain · Sigma"), &DesignParameter::label);
+    const Session bright = withValue(m_model->session(), 0, *gain, 0.1, Hold::size);
+    QVERIFY(bright.cameras[0].psf.light == LightModel::linear);
   }
 
   void measuresAll() {

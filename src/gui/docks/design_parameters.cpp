@@ -4,9 +4,12 @@
 #include <QCoreApplication>
 #include <QLocale>
 #include <algorithm>
+#include <array>
 #include <cmath>
 
+#include "core/base/text.h"
 #include "core/panel/design_numbers.h"
+#include "measure/session_numbers.h"
 
 namespace hogelscope {
 
@@ -44,6 +47,51 @@ void setLeakage(Session& session, std::size_t state, double sigma) {
   PsfParams& psf = session.cameras.at(state).psf;
   psf.windowSize = 2 * int(std::ceil(2 * sigma)) + 1;
   if (sigma > 0) psf.sigma = sigma;
+}
+
+/// Returns "Lens array · Rotation", or "Display · Position x" for a number of a list.
+QString labelOf(const SessionNumber& number) {
+  const auto field = number.name.rfind('.');
+  const auto section = number.name.rfind('.', field - 1);
+  const std::size_t from = section == std::string::npos ? 0 : section + 1;
+  std::string label =
+      formLabel(number.name.substr(from, field - from)) + " · " +
+      (number.label.empty() ? formLabel(number.name.substr(field + 1)) : number.label);
+  const bool isOfColours = number.count == 3 && number.name.starts_with("twin.");
+  constexpr std::array axes{"x", "y", "z"};
+  constexpr std::array colours{"red", "green", "blue"};
+  if (number.count > 1) label += std::string(" ") + (isOfColours ? colours : axes).at(number.index);
+  return QString::fromStdString(label);
+}
+
+/// Returns what sweeps a number of the session, whose unit goes on without a document.
+DesignParameter parameterOf(const SessionNumber& number) {
+  const bool isOfTwin = number.name.starts_with("twin.");
+  const Range& range = number.range;
+  const bool hasUsual = range.slideMin < range.slideMax;
+  return {"",
+          labelOf(number),
+          QString::fromStdString(number.unit),
+          range.min,
+          range.max,
+          false,
+          number.isWhole,
+          [number](const Session& session, std::size_t state) {
+            const auto numbers = numbersOf(session, state);
+            return std::ranges::find_if(numbers,
+                                        [&](const SessionNumber& one) {
+                                          return one.name == number.name &&
+                                                 one.index == number.index;
+                                        })
+                ->value;
+          },
+          [number, isOfTwin](Session& session, std::size_t state, double value) {
+            setNumber(session, state, number, value);
+            if (isOfTwin) session = withTwin(session, session.twin);
+          },
+          hasUsual ? range.slideMin : range.min,
+          hasUsual ? range.slideMax : range.max,
+          isOfTwin};
 }
 
 }  // namespace
@@ -84,6 +132,22 @@ const std::vector<DesignParameter>& designParameters() {
        [](Session& session, std::size_t state, double value) {
          session.cameras.at(state).camera.eye.z = value;
        }}};
+  return all;
+}
+
+const std::vector<DesignParameter>& sweptParameters() {
+  static const std::vector<DesignParameter> all = [] {
+    std::vector<DesignParameter> parameters = designParameters();
+    Session session;
+    session.cameras.emplace_back();
+    for (const SessionNumber& number : numbersOf(session)) {
+      const bool isOfDisplay = number.name.starts_with("display.") && !number.range.mayBeLeftOut &&
+                               number.name != "display.size" && number.name != "display.fov";
+      if (isOfDisplay || number.name.starts_with("twin."))
+        parameters.push_back(parameterOf(number));
+    }
+    return parameters;
+  }();
   return all;
 }
 

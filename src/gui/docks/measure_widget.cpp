@@ -149,10 +149,12 @@ void MeasureWidget::addPlots(QGridLayout* grid) {
                       {*m_shown.depths, depthBars(*m_shown.depths, m_shown.end)}, colours);
       });
   auto* swept = add(
-      1, 1, "sweepPlot", tr("Sweep"), tr("A figure of the designs that were swept"),
+      1, 1, "sweepPlot", tr("Sweep"),
+      tr("A figure of the designs that were swept; a click on a point gives the session its value"),
       [this](QPainter& painter, const QSizeF& size, const ChartColours& colours) {
         const Plot plot = m_sweep->plot();
-        if (!plot.series.empty()) return paintPlot(painter, size, plot, colours);
+        if (!plot.series.empty())
+          return paintPlot(painter, size, plot, colours, m_sweep->hovered());
         painter.setPen(colours.text2);
         painter.drawText(
             QRectF({}, size).adjusted(12, 0, -12, 0), Qt::AlignCenter | Qt::TextWordWrap,
@@ -160,6 +162,17 @@ void MeasureWidget::addPlots(QGridLayout* grid) {
                                       "quantity of the design.")
                                  : tr("No design that was swept has a value of this figure."));
       });
+  const auto pointAt = [this](const QPointF& place, const QSizeF& size) {
+    return rowAt(m_sweep->plot(), place, size, chartFont().pixelSize());
+  };
+  swept->setMouse({[this, swept, pointAt](std::optional<QPointF> place, const QSizeF& size) {
+                     const auto row = place ? pointAt(*place, size) : std::nullopt;
+                     m_sweep->hover(row);
+                     swept->setCursor(row ? Qt::PointingHandCursor : Qt::ArrowCursor);
+                   },
+                   [this, pointAt](const QPointF& place, const QSizeF& size) {
+                     if (const auto row = pointAt(place, size)) m_sweep->apply(*row);
+                   }});
   connect(m_sweep, &SweepWidget::plotChanged, swept, qOverload<>(&QWidget::update));
   grid->setColumnStretch(0, 3);
   grid->setColumnStretch(1, 2);

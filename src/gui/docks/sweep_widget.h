@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A sweep of one quantity of the session's design, for the current state's eye: its controls, and
-// the plot of a figure.
+// A sweep of one quantity of the session's design or of its twin, for the current state's eye: its
+// controls, the plot of a figure, and where that is within a limit.
 #pragma once
 
 #include <QWidget>
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "gui/docks/design_parameters.h"
 #include "gui/widgets/scrub_field.h"
+#include "measure/limit_spans.h"
 #include "measure/sweep.h"
 #include "page/plot.h"
 
@@ -17,6 +19,7 @@ class QLabel;
 
 namespace hogelscope {
 
+struct FigureRow;
 class SessionModel;
 class Task;
 
@@ -30,6 +33,11 @@ class SweepWidget : public QWidget {
 
   /// Returns the chosen figure of the last sweep; no series before one.
   [[nodiscard]] Plot plot() const;
+  /// Returns the plot's row that is read out; none if the mouse is at no point.
+  [[nodiscard]] std::optional<std::size_t> hovered() const { return m_hovered; }
+  void hover(std::optional<std::size_t> row);
+  /// Gives the session the value of a row of the plot, as one edit.
+  void apply(std::size_t row);
 
  Q_SIGNALS:
   void plotChanged();
@@ -37,11 +45,27 @@ class SweepWidget : public QWidget {
  private:
   struct Swept {
     const DesignParameter* parameter = nullptr;  ///< none: nothing was swept
+    Hold hold = Hold::size;
     std::vector<double> values;
-    std::vector<SweepRow> rows;  ///< of each value
+    std::vector<std::string> figures{};  ///< those that were measured
+    std::vector<SweepRow> rows{};        ///< of each value
+  };
+  /// Of a figure of good designs.
+  struct Limit {
+    bool isLeast = true;
+    std::optional<double> value;  ///< none: the figure has no limit
   };
 
   [[nodiscard]] const DesignParameter& parameter() const;
+  [[nodiscard]] const FigureRow& figure() const;
+  void addChoices();
+  void chooseParameter();
+  void chooseFigure();
+  void showLimit();
+  void keepLimit();
+  void showAnswer();
+  [[nodiscard]] QString answer() const;
+  [[nodiscard]] static QString placeText(const LimitSpan& span);
   void propose();
   void sweep();
   void show(const Swept& swept);
@@ -52,9 +76,11 @@ class SweepWidget : public QWidget {
   Swept m_swept;
   int m_opening = 0;  ///< the number of sessions opened so far
   Task* m_task;
-  QComboBox *m_parameter, *m_figure;
-  RealField *m_from, *m_to;
-  QLabel* m_note;
+  std::vector<Limit> m_limits;  ///< of each figure
+  std::optional<std::size_t> m_hovered;
+  QComboBox *m_parameter, *m_figure, *m_sense;
+  RealField *m_from, *m_to, *m_limit;
+  QLabel *m_answer, *m_note;
 };
 
 }  // namespace hogelscope
