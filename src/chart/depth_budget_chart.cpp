@@ -172,8 +172,8 @@ void paintDepths(QPainter& painter, const QRectF& area, const DepthHistogram& de
     const double x = std::min(axes.x(limit) + 3, axes.area.right() - width);
     painter.drawText(QPointF(x, axes.area.top() + 12 + 13 * line), text);
   };
-  name(limits.display, 0, "display ±p/(sD²)");
-  name(limits.comfort, 1, "comfort");
+  name(limits.display, 0, "sharp on this display");
+  name(limits.comfort, 1, "comfortable");
   paintTicks(painter, axes, limits.distance, colours);
 }
 

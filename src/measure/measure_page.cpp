@@ -141,8 +141,8 @@ MapPlot mtfMap(const Bench& bench, const std::vector<MeasuredFigure>& figures) {
     const double depth = bench.pitch(axis) / bench.step(axis);
     upright(-depth / (distance * distance), "sharp from here", true);
     upright(depth / (distance * distance), "to here", true);
-    if (depth < distance) upright(dioptresAt(depth, distance), "+p/s", false);
-    upright(dioptresAt(-depth, distance), "−p/s", false);
+    if (depth < distance) upright(dioptresAt(depth, distance), "one direction = one hogel", false);
+    upright(dioptresAt(-depth, distance), "", false);
   }
   const double limit = distance * std::acos(-1) / 180 / (2 * bench.pitch(axis));
   const std::string whose = bench.sheet() != nullptr ? "lenses'" : "hogels'";

@@ -164,7 +164,6 @@ class Shooting {
     trigger("wipeAction");
     shoot("wipe");
     trigger("lumaErrorAction");
-    trigger("falseColourAction");
     trigger("histogramAction");
     view()->setRegion({200, 250, 160, 60});
     QTest::qWait(1500);

@@ -71,11 +71,11 @@ class TestDockDrawings : public DocksTest {
       "cameras": [{"name": "a", "eye": [0, 0, 0.5], "fov": 20, "res": [40, 30]}]})");
     open(m_folder.filePath("sheet.json"));
     const auto told = [this](const char* name) { return child<QLabel>(name)->accessibleName(); };
-    QCOMPARE(told("number1"), QString("132 views/m, to the eye's side"));
+    QCOMPARE(told("number1"), QString("132 views/m, sideways"));
     QCOMPARE(told("number2"), QString("40.0 °, viewing cone"));
     QCOMPARE(told("number3"), QString("36.4 cm, between flips"));
     QCOMPARE(told("number4"), QString("0.51 views, in one place, rms"));
-    QCOMPARE(told("number5"), QString("17.3 %, of heads at a flip"));
+    QCOMPARE(told("number5"), QString("17.3 %, see eyes swapped"));
     QVERIFY(child<QLabel>("number1")->toolTip().startsWith("How many views"));
     openSmall();
     QVERIFY2(told("number1").endsWith("hogel pitch"), qPrintable(told("number1")));
@@ -164,9 +164,8 @@ class TestDockDrawings : public DocksTest {
     const int before = m_model->undoStack()->index();
     model->setCurrentText("fisheye");
     QCOMPARE(m_model->undoStack()->index(), before + 1);
-    QVERIFY((m_model->current().distortion ==
-             DistortionParams{brown.k1, brown.k2, 0, 0, brown.k3, 0, 0, 0,
-                              DistortionModel::fisheye}));
+    QVERIFY((m_model->current().distortion == DistortionParams{brown.k1, brown.k2, 0, 0, brown.k3,
+                                                               0, 0, 0, DistortionModel::fisheye}));
     QTRY_VERIFY_WITH_TIMEOUT(certificate->isEnabled(), patience);
     QVERIFY2(certificate->text().contains("one-to-one"), qPrintable(certificate->text()));
     m_model->undoStack()->undo();

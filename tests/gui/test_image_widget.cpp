@@ -380,7 +380,7 @@ class TestImageWidget : public QObject {
     // The error has a tone of its own.
     compare();
     m_view->setMode(ImageWidget::Mode::difference);
-    QCOMPARE(m_view->gain(), 8.0);
+    QCOMPARE(m_view->gain(), 4.0);
     QCOMPARE(m_view->gamma(), 1.0);
     key(Qt::Key_R);
     m_view->setMode(ImageWidget::Mode::single);

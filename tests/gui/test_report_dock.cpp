@@ -12,6 +12,7 @@
 #include <QLineEdit>
 #include <QListView>
 #include <QListWidget>
+#include <QMenu>
 #include <QProgressBar>
 #include <QPushButton>
 #include <QScrollBar>
@@ -20,6 +21,7 @@
 #include <QStatusBar>
 #include <QTableView>
 #include <QTemporaryDir>
+#include <QToolButton>
 #include <QUndoStack>
 #include <QtTest>
 #include <cmath>
@@ -96,6 +98,7 @@ class TestReportDock : public QObject {
   void stopsAndGoesOn();
   void errors();
   void metricsOfPlugins();
+  void metricsAreChosen();
   void unknownMetrics();
   void editsAreNoted();
   void unsavedEditsHaveAHeading();
@@ -738,6 +741,27 @@ void TestReportDock::metricsOfPlugins() {
   writeFile("t.json", session("[80, 60]", "{}"));
   QVERIFY(files(*m_window).open(m_folder->filePath("t.json")));
   QCOMPARE(model->columnCount(), int(StateTable::plugins));
+}
+
+/// A choice is an edit of the session, and shows plugins that are installed.
+void TestReportDock::metricsAreChosen() {
+  open("[80, 60]", "{}");
+  auto* model = m_window->findChild<SessionModel*>();
+  const auto actionOf = [this](const QString& name) {
+    QMenu* menu = child<QToolButton>("metricsButton")->menu();
+    Q_EMIT menu->aboutToShow();
+    const QList<QAction*> actions = menu->actions();
+    const auto found = std::ranges::find(actions, name, &QAction::text);
+    return found == actions.end() ? nullptr : *found;
+  };
+  QVERIFY(actionOf("ms-ssim") != nullptr && !actionOf("ms-ssim")->isChecked());
+  actionOf("ms-ssim")->trigger();
+  QCOMPARE(model->session().metrics, std::vector<std::string>{"ms-ssim"});
+  QVERIFY(actionOf("ms-ssim")->isChecked());
+  QVERIFY(m_window->isWindowModified());
+  model->undoStack()->undo();
+  QVERIFY(model->session().metrics.empty());
+  QVERIFY(!actionOf("ms-ssim")->isChecked());
 }
 
 void TestReportDock::unknownMetrics() {

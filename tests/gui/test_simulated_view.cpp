@@ -136,7 +136,7 @@ class TestSimulatedView : public QObject {
     QCOMPARE(view()->shownImage().size(), QSize(2 * side, side));
     QTest::keyClick(m_window.get(), Qt::Key_4, Qt::ControlModifier);
     QVERIFY(action("differenceAction")->isChecked());
-    QCOMPARE(view()->shownImage(), errorImage(own, other, ErrorMap({})));
+    QCOMPARE(view()->shownImage(), errorImage(own, other, ErrorMap({.hasFalseColour = true})));
     QTest::keyClick(m_window.get(), Qt::Key_3, Qt::ControlModifier);
     QCOMPARE(view()->shownImage().size(), QSize(side, side));
     const QRect left(0, 0, 55, side);
@@ -181,9 +181,10 @@ class TestSimulatedView : public QObject {
     press("differenceAction");
     const QImage own = view()->image();
     const QImage other = view()->otherImage();
+    QCOMPARE(view()->shownImage(), errorImage(own, other, ErrorMap({.hasFalseColour = true})));
+    press("falseColourAction");
     QCOMPARE(view()->shownImage(), errorImage(own, other, ErrorMap({})));
     press("falseColourAction");
-    QCOMPARE(view()->shownImage(), errorImage(own, other, ErrorMap({.hasFalseColour = true})));
     QTest::keyClick(m_window.get(), Qt::Key_7, Qt::ControlModifier);
     QVERIFY(action("blinkAction")->isChecked());
     // The kind is chosen in any mode.

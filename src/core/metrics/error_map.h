@@ -44,7 +44,7 @@ class ErrorMap {
  public:
   struct Params {
     ErrorKind kind = ErrorKind::absolute;
-    Tone tone{.gain = 8};
+    Tone tone{.gain = 4};
     bool hasFalseColour = false;
     bool operator==(const Params&) const = default;
   };

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <array>
+#include <limits>
 #include <optional>
 #include <span>
 #include <string>
@@ -34,6 +35,8 @@ struct DepthRange {
   double behind = 0;
 };
 
+enum class DepthLimit { display, comfort, both };
+
 /// What an eye at `distance` can be shown, in dioptres to either side of the panel; infinite if
 /// nothing limits it.
 struct DepthLimits {
@@ -43,6 +46,14 @@ struct DepthLimits {
   double directionsPerPupil = 0;  ///< K = pupil/(D s); below 1 the eye cannot focus on content
 
   [[nodiscard]] double both() const { return display < comfort ? display : comfort; }
+  /// Returns these with one limit alone; "both" are as they are.
+  [[nodiscard]] DepthLimits only(DepthLimit which) const {
+    constexpr double none = std::numeric_limits<double>::infinity();
+    DepthLimits result = *this;
+    if (which == DepthLimit::display) result.comfort = none;
+    if (which == DepthLimit::comfort) result.display = none;
+    return result;
+  }
   /// Whether content is within a limit. What was moved to lie on it is, in spite of rounding.
   [[nodiscard]] static bool isWithin(double dioptres, double limit) {
     constexpr double rounding = 1e-5;

@@ -166,7 +166,7 @@ void DesignNumbersWidget::showSheet(const SheetNumbers& n) {
   const double own = m_model->current().stereo.ipd;
   const double ipd = own > 0 ? own : m_model->session().depth.ipd;
   for (const NumberCell& cell : std::initializer_list<NumberCell>{
-           {m_ui->number1, inDigits(n.viewsPerMetre), tr("views/m"), tr("to the eye's side"),
+           {m_ui->number1, inDigits(n.viewsPerMetre), tr("views/m"), tr("sideways"),
             tr("How many views pass as the eye moves sideways by a metre")},
            {m_ui->number2, inDigits(n.cone), "°", tr("viewing cone"),
             tr("The angle into which the lenses spread the views once")},
@@ -176,7 +176,7 @@ void DesignNumbersWidget::showSheet(const SheetNumbers& n) {
            {m_ui->number4, inDigits(n.lobe), tr("views"), tr("in one place, rms"),
             tr("What one place sees about its own view: the width of a sub-pixel and the lenses' "
                "slant mix neighbours")},
-           {m_ui->number5, inDigits(100 * n.pseudoscopic(ipd)), "%", tr("of heads at a flip"),
+           {m_ui->number5, inDigits(100 * n.pseudoscopic(ipd)), "%", tr("see eyes swapped"),
             tr("The share of places of a head from which a flip lies between its eyes, so that "
                "they see their pictures exchanged")}})
     fillCell(cell);
@@ -208,7 +208,7 @@ void DesignNumbersWidget::showNumbers() {
     const auto [back, front] = *m_bar->content;
     legend += tr(" &nbsp; <span style='color: %1'>▬</span> content %2 cm")
                   .arg(t.text.name(), rangeText(*m_bar->content));
-    if (back >= sharp[0] && front <= sharp[1]) legend += tr(": all sharp");
+    if (back >= sharp[0] && front <= sharp[1]) legend += tr(": sharp");
   }
   m_ui->depthLegend->setText(QString("<span style='font-size: %1px; color: %2'>%3</span>")
                                  .arg(textFont(TextSize::caption).pixelSize())

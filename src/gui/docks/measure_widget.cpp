@@ -2,11 +2,13 @@
 #include "gui/docks/measure_widget.h"
 
 #include <QCheckBox>
+#include <QComboBox>
 #include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
 #include <QScrollArea>
+#include <algorithm>
 #include <cmath>
 
 #include "chart/depth_bar.h"
@@ -53,8 +55,9 @@ MeasureWidget::MeasureWidget(QWidget* parent)
     : QWidget(parent),
       m_task(new Task(this)),
       m_status(new QLabel),
-      m_fit(new QPushButton(tr("&Fit the content"))),
-      m_tints(new QCheckBox(tr("&Tint what is not sharp"))),
+      m_fit(new QPushButton(tr("&Move content into these depths"))),
+      m_tints(new QCheckBox(tr("&Tint depths outside"))),
+      m_limit(new QComboBox),
       m_area(new QScrollArea),
       m_controls(new QVBoxLayout),
       m_right(new QVBoxLayout) {
@@ -103,16 +106,22 @@ void MeasureWidget::addControls() {
   m_fit->setEnabled(false);
   m_tints->setObjectName("tintBox");
   m_tints->setToolTip(
-      tr("Tints the simulated view where content is not sharp on this display, or not comfortable "
-         "for two eyes: blue behind the limits, red in front of them"));
+      tr("Tints the simulated view where content is outside these depths: blue behind them, red in "
+         "front of them"));
+  m_limit->setObjectName("limitBox");
+  m_limit->addItems({tr("sharp on the display"), tr("comfortable for two eyes"), tr("both")});
+  m_limit->setToolTip(
+      tr("Which depths: where the display is sharp, where two eyes are comfortable, "
+         "or where both are"));
   const auto heading = [](const QString& text) {
     auto* label = new QLabel(text);
     label->setFont(textFont(TextSize::base, QFont::DemiBold));
     return label;
   };
-  for (QWidget* widget : std::initializer_list<QWidget*>{
-           m_sliders, m_tints, m_fit, m_status, new PolledBar(m_task), heading(tr("Sweep")),
-           m_sweep, heading(tr("All figures")), new MeasureRunWidget(m_model)})
+  for (QWidget* widget :
+       std::initializer_list<QWidget*>{m_sliders, m_tints, m_limit, m_fit, m_status,
+                                       new PolledBar(m_task), heading(tr("Sweep")), m_sweep,
+                                       heading(tr("All figures")), new MeasureRunWidget(m_model)})
     m_controls->addWidget(widget);
   m_controls->addStretch(1);
   m_fit->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
@@ -120,6 +129,10 @@ void MeasureWidget::addControls() {
   m_area->setFixedWidth(m_area->widget()->minimumSizeHint().width() + scaled(scrollBar));
   connect(m_fit, &QPushButton::clicked, this, &MeasureWidget::fit);
   connect(m_tints, &QCheckBox::toggled, this, &MeasureWidget::showTint);
+  connect(m_limit, &QComboBox::currentIndexChanged, this, [this] {
+    showTint();
+    showFit();
+  });
   connect(m_sliders, &DesignSliders::comparisonAsked, this, &MeasureWidget::comparisonAsked);
 }
 
@@ -195,7 +208,7 @@ void MeasureWidget::hideEvent(QHideEvent* event) {
   QWidget::hideEvent(event);
   m_rest.stop();
   m_task->stop();
-  m_shown.tint = {};
+  m_shown.pixels = {};
   showTint();
 }
 
@@ -222,7 +235,7 @@ std::optional<PanelParams> MeasureWidget::display() const {
 void MeasureWidget::follow() {
   if (!isVisible() || m_model == nullptr || m_model->session().cameras.empty()) return;
   m_task->stop();
-  m_shown.tint = {};
+  m_shown.pixels = {};
   showTint();
   const bool hasHogels = !m_model->session().display.sheet;
   for (QWidget* const own : std::initializer_list<QWidget*>{m_sliders, m_tints, m_sweep})
@@ -262,15 +275,8 @@ void MeasureWidget::simulate() {
       ViewSource current = *source;
       current.display = panel;
       const StatesDepths depths = depthsOfStates(session, current, part(progress, 0, 0.3));
-      const DepthFigures& figures = depths.states.front();
-      std::string obstacle = "no depth of what this eye sees is known";
-      std::optional<DepthProposal> proposal;
-      if (!figures.dioptres.empty()) proposal = proposedFit(session, panel, figures, obstacle);
-      const QImage tint =
-          depthTint({depths.picture.width, depths.picture.height}, depths.first, figures.limits);
-      m_task->queue([this, session, figures, proposal, obstacle, tint] {
-        if (session == ofCurrent())  // no edit since
-          showDepths(figures, proposal, QString::fromStdString(obstacle), tint);
+      m_task->queue([this, session, depths] {
+        if (session == ofCurrent()) showDepths(depths);  // no edit since
       });
     }
     const auto figures = mapFigures(session, panel, true, part(progress, 0.3, 1));
@@ -287,27 +293,48 @@ void MeasureWidget::simulate() {
   });
 }
 
-void MeasureWidget::showDepths(const DepthFigures& figures, std::optional<DepthProposal> proposal,
-                               const QString& obstacle, const QImage& tint) {
-  m_shown.depths = figures;
-  m_shown.tint = tint;
+void MeasureWidget::showDepths(const StatesDepths& depths) {
+  m_shown.depths = depths.states.front();
+  m_shown.pixels = depths.first;
+  m_shown.size = {depths.picture.width, depths.picture.height};
+  m_shown.end = barsEnd(*m_shown.depths, nullptr);
   showTint();
-  m_shown.end = barsEnd(figures, nullptr);
-  m_shown.proposal = std::move(proposal);
-  const int inside = int(std::lround(100 * figures.inside));
-  const bool isFit =
-      m_shown.proposal && m_shown.proposal->session.lightField == m_model->session().lightField;
-  m_fit->setEnabled(m_shown.proposal && !isFit);
-  m_fit->setText(tr("&Fit the content (%1 % inside)").arg(inside));
-  m_fit->setToolTip(m_shown.proposal
-                        ? (isFit ? tr("The content fits already")
-                                 : QString::fromStdString(placeText(*m_shown.proposal)))
-                        : obstacle);
+  showFit();
   update();
 }
 
+/// Works out where the content would lie within the chosen depths, and says how much of it does.
+void MeasureWidget::showFit() {
+  m_shown.proposal.reset();
+  const auto panel = display();
+  if (!m_shown.depths || !panel) return m_fit->setEnabled(false);
+  DepthFigures figures = *m_shown.depths;
+  figures.limits = figures.limits.only(DepthLimit(m_limit->currentIndex()));
+  const double limit = figures.limits.both();
+  const auto within = std::ranges::count_if(figures.dioptres, [limit](double dioptres) {
+    return DepthLimits::isWithin(dioptres, limit);
+  });
+  const auto count = double(figures.dioptres.size());
+  figures.inside = count > 0 ? double(within) / count : 0;
+  std::string obstacle = "no depth of what this eye sees is known";
+  if (count > 0) m_shown.proposal = proposedFit(ofCurrent(), *panel, figures, obstacle);
+  const bool isFit =
+      m_shown.proposal && m_shown.proposal->session.lightField == m_model->session().lightField;
+  m_fit->setEnabled(m_shown.proposal && !isFit);
+  m_fit->setText(tr("&Move content into these depths (%1 % inside)")
+                     .arg(int(std::lround(100 * figures.inside))));
+  m_fit->setToolTip(m_shown.proposal
+                        ? (isFit ? tr("The content fits already")
+                                 : QString::fromStdString(placeText(*m_shown.proposal)))
+                        : QString::fromStdString(obstacle));
+}
+
 void MeasureWidget::showTint() {
-  Q_EMIT tintChanged(m_tints->isChecked() ? m_shown.tint : QImage());
+  const bool isTinted = m_tints->isChecked() && m_shown.depths && !m_shown.pixels.z.empty();
+  Q_EMIT tintChanged(
+      isTinted ? depthTint(m_shown.size, m_shown.pixels,
+                           m_shown.depths->limits.only(DepthLimit(m_limit->currentIndex())))
+               : QImage());
 }
 
 void MeasureWidget::fit() {

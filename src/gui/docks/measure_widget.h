@@ -14,6 +14,7 @@
 #include "page/map_plot.h"
 
 class QCheckBox;
+class QComboBox;
 class QGridLayout;
 class QLabel;
 class QPushButton;
@@ -58,7 +59,8 @@ class MeasureWidget : public QWidget {
     std::optional<DepthFigures> depths;
     double end = 1;  ///< of the depths' bars, dioptres
     std::optional<DepthProposal> proposal;
-    QImage tint;  ///< null while it is not known
+    PixelDepths pixels;  ///< of the tint; empty while it is not known
+    QSize size;          ///< of its picture
   };
 
   void addControls();
@@ -66,8 +68,8 @@ class MeasureWidget : public QWidget {
   void follow();
   void showClosedForms();
   void simulate();
-  void showDepths(const DepthFigures& figures, std::optional<DepthProposal> proposal,
-                  const QString& obstacle, const QImage& tint);
+  void showDepths(const StatesDepths& depths);
+  void showFit();
   void showTint();
   void showStatus(const QString& text);
   void fit();
@@ -82,6 +84,7 @@ class MeasureWidget : public QWidget {
   QLabel* m_status;
   QPushButton* m_fit;
   QCheckBox* m_tints;
+  QComboBox* m_limit;  ///< of tint and fit: a DepthLimit
   QScrollArea* m_area;
   QVBoxLayout* m_controls;  ///< in it
   QVBoxLayout* m_right;     ///< numbers over plots

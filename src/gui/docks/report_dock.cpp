@@ -5,6 +5,7 @@
 #include <QDir>
 #include <QEvent>
 #include <QFileInfo>
+#include <QMenu>
 #include <QUrl>
 #include <algorithm>
 #include <array>
@@ -22,6 +23,7 @@
 #include "gui/widgets/dialogs.h"
 #include "gui/widgets/task_widgets.h"
 #include "io/plugins/metric_plugins.h"
+#include "io/plugins/plugin_list.h"
 #include "report/page/report_tables.h"
 #include "report/report_run.h"
 #include "report/test_orders.h"
@@ -98,6 +100,11 @@ void ReportDock::connectTools() {
   m_ui->testsButton->setIcon(icon("new"));
   m_ui->openPageButton->setIcon(icon("external"));
   m_ui->copyTableButton->setIcon(icon("copy_table"));
+  m_ui->metricsButton->setIcon(icon("ruler"));
+  auto* metrics = new QMenu(this);
+  metrics->setToolTipsVisible(true);
+  m_ui->metricsButton->setMenu(metrics);
+  connect(metrics, &QMenu::aboutToShow, this, [this, metrics] { fillMetrics(metrics); });
   m_ui->makeReportButton->control(m_task, [this] { make(); });
   connect(m_ui->openPageButton, &QToolButton::clicked, this, &ReportDock::openPage);
   connect(m_ui->copyTableButton, &QToolButton::clicked, this,
@@ -189,6 +196,34 @@ void ReportDock::setModel(SessionModel* model, QMenu* fileMenu, QMenu* statesMen
       [this] { chooseExtreme(true); });
   showAll();
   showIdle();
+}
+
+/// Lists the metrics of plugins; those of the session are checked, with one that is not installed.
+void ReportDock::fillMetrics(QMenu* menu) {
+  menu->clear();
+  const std::vector<std::string>& chosen = m_model->session().metrics;
+  std::vector<std::pair<std::string, std::string>> metrics;  // and why one cannot be used
+  for (const FoundPlugin& plugin : listPlugins())
+    if (std::ranges::find(plugin.kinds, PluginKind::metric) != plugin.kinds.end())
+      metrics.emplace_back(plugin.name, plugin.refusal);
+  for (const std::string& name : chosen)
+    if (std::ranges::find(metrics, name, &std::pair<std::string, std::string>::first) ==
+        metrics.end())
+      metrics.emplace_back(name, "");
+  for (const auto& [name, refusal] : metrics) {
+    QAction* action = menu->addAction(QString::fromStdString(name));
+    action->setCheckable(true);
+    action->setChecked(std::ranges::find(chosen, name) != chosen.end());
+    action->setEnabled(refusal.empty() || action->isChecked());
+    action->setToolTip(QString::fromStdString(refusal));
+    connect(action, &QAction::toggled, this, [this, name = name](bool isOn) {
+      m_model->edit(tr("Change metrics"), [&](Session& session) {
+        std::erase(session.metrics, name);
+        if (isOn) session.metrics.push_back(name);
+      });
+    });
+  }
+  if (metrics.empty()) menu->addAction(tr("No metrics are installed"))->setEnabled(false);
 }
 
 /// Removes rows of another session and stops a running report.
@@ -446,6 +481,7 @@ void ReportDock::emitPsnr() {
     const Session now = withEyes(m_model->session());
     Session measured = m_data.session;
     measured.cameras = now.cameras;
+    measured.metrics = now.metrics;
     dB.assign(m_model->session().cameras.size(), std::numeric_limits<double>::quiet_NaN());
     stale.assign(dB.size(), !m_data.isRead && measured != now);
     for (std::size_t state = 0; state < m_data.session.cameras.size(); ++state)

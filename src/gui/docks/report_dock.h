@@ -54,6 +54,7 @@ class ReportDock : public QWidget {
 
  private:
   void connectTools();
+  void fillMetrics(QMenu* menu);
   void connectTables();
   void forget();
   void noteEdits();

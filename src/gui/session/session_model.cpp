@@ -119,7 +119,8 @@ void SessionModel::show(const Content& content) {
   m_session = content.session;
   const bool isOther = std::exchange(m_current, content.current) != content.current;
   if (before.display != m_session.display || before.lightField != m_session.lightField ||
-      before.sampling != m_session.sampling || before.twin != m_session.twin)
+      before.sampling != m_session.sampling || before.twin != m_session.twin ||
+      before.metrics != m_session.metrics)
     Q_EMIT contentChanged();
   const auto nameOf = [](const CameraState& state) { return state.camera.name; };
   if (!std::ranges::equal(before.cameras, m_session.cameras, {}, nameOf, nameOf))

@@ -69,7 +69,7 @@ class SessionModel : public QObject {
   void currentChanged();  ///< another state is current
   void edited();          ///< values of states have changed
   void statesChanged();   ///< states have been added, removed, renamed or reordered
-  void contentChanged();  ///< values of display, twin, light field or sampling have changed
+  void contentChanged();  ///< display, twin, light field, sampling or metrics have changed
 
  private:
   struct Content {

@@ -107,8 +107,9 @@ void ComparisonCommands::addErrorMaps() {
                             {"falseColourAction", tr("&False colour"),
                              tr("Shows the mean error of the channels in the colours of a scale"),
                              Qt::ALT | Qt::Key_6, tr("Colours")},
-                            false, this, &ComparisonCommands::showErrorMap);
+                            true, this, &ComparisonCommands::showErrorMap);
   connect(m_falseColour, &QAction::triggered, m_difference, &QAction::trigger);
+  showErrorMap();
 }
 
 /// Adds the image widget's commands to the menu, with keys that work anywhere in the window.

@@ -86,7 +86,7 @@ void ImageCommands::addCommands(QMenu* menu, QVBoxLayout* around, QStatusBar* st
                               m_comparison, &Comparison::startIdeal);
   m_ofAnyImage << addCommand(
       menu,
-      {"compareKeptAction", tr("Compare with this &display"),
+      {"compareKeptAction", tr("Keep this &display and compare"),
        tr("Keeps the display as it is now, and shows it beside the one that you edit"),
        Qt::CTRL | Qt::SHIFT | Qt::Key_K},
       m_comparison, &Comparison::startKept);

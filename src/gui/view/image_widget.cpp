@@ -94,7 +94,7 @@ void ImageWidget::addCommands() {
   addCommand("lessGammaAction", tr("L&ess gamma"), tr("Darkens dark parts of what is shown"),
              {Qt::CTRL | Qt::Key_Down}, {}, [this] { setGamma(gamma() - 0.2); });
   addCommand("resetToneAction", tr("&Reset gain and gamma"),
-             tr("The picture as it is, or the error 8 times"), {Qt::Key_R}, {},
+             tr("The picture as it is, or the error 4 times"), {Qt::Key_R}, {},
              &ImageWidget::resetTone);
   addCommand("removeRegionAction", tr("Re&move the rectangle"),
              tr("Shift and a drag mark a rectangle, whose figures are shown too"), {Qt::Key_Delete},

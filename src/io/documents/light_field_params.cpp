@@ -81,7 +81,7 @@ void describe(ParameterVisitor& v, LightFieldParams& p) {
           "of blocks; live: a 3-D scene, of which a view's "
           "rays are traced; woven: the picture of a lens sheet's panel.");
   if (!p.isLive() && layout != Layout::woven)
-    v.field({"incoming", "Recorded looking in"}, incoming,
+    v.field({"incoming", "Depth reversed"}, incoming,
             "Directions were recorded looking into the scene: both u and v are flipped.");
   if (isGridOfViews(layout)) {
     v.field("rows", rows, rowOrderNames, "Where the first row of views was taken from.");
