@@ -30,7 +30,14 @@ RenderJob distorted(int pose) {
 /// Through the lens of TUM VI's cam0.
 RenderJob distortedByAFisheye(int pose) {
   RenderJob job = viewOf(pose);
-  job.state.distortion = {0.0034823894, 0.0007150348, 0, 0, -0.0020532361, 0.00020293673, 0, 0,
+  job.state.distortion = {0.0034823894,
+                          0.0007150348,
+                          0,
+                          0,
+                          -0.0020532361,
+                          0.00020293673,
+                          0,
+                          0,
                           DistortionModel::fisheye};
   return job;
 }
@@ -38,8 +45,9 @@ RenderJob distortedByAFisheye(int pose) {
 /// Through the lens of an Azure Kinect's colour camera.
 RenderJob distortedByARationalLens(int pose) {
   RenderJob job = viewOf(pose);
-  job.state.distortion = {0.722746, -2.88559,  0.000783, -0.000143,
-                          1.632723, 0.602199, -2.719626, 1.565053, DistortionModel::rational};
+  job.state.distortion = {0.722746,  -2.88559, 0.000783,
+                          -0.000143, 1.632723, 0.602199,
+                          -2.719626, 1.565053, DistortionModel::rational};
   return job;
 }
 

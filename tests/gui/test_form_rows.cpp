@@ -59,7 +59,8 @@ class TestFormRows : public DocksTest {
       "cameras": [{"name": "a", "eye": [0, 0, 0.7], "res": [40, 30],
                    "distortion": {"model": "rational", "k4": 0.1},
                    "psf": {"windowSize": 1}}]})");
-    m_samples << "s.json" << "live.json";
+    m_samples << "s.json"
+              << "live.json";
   }
   void writeSheets() {
     QImage quilt(32, 12, QImage::Format_RGB32);
@@ -78,7 +79,9 @@ class TestFormRows : public DocksTest {
     write("quilt.json", R"("size": [0.2, 0.1])", quilts);
     write("live_sheet.json", sheet + R"(, "hogels": [40, 30], "directions": [8, 1])",
           R"("layout": "live", "source": "scene")");
-    m_samples << "sheet.json" << "quilt.json" << "live_sheet.json";
+    m_samples << "sheet.json"
+              << "quilt.json"
+              << "live_sheet.json";
   }
 
   /// Returns what is wrong with the rows of all forms; "" if nothing is.

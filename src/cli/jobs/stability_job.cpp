@@ -57,6 +57,9 @@ int runStability(const CommandLine& line) {
   std::cout << lenses.size() << " lens(es) and two maps in "
             << printable((folder / "stability.csv").string()) << " and "
             << printable((folder / "stability.png").string()) << "\n";
+  for (std::size_t k = first; k < lenses.size(); ++k)
+    std::cout << "  " << printable(lenses[k].name) << ": "
+              << distortionModelNames()[std::size_t(lenses[k].key.distortion.model)] << "\n";
   if (hasOwn)
     std::cout << std::min(lenses.size() - first, mostLensPictures)
               << " lens(es) of the calibrations, pixel by pixel, in "

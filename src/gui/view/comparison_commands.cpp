@@ -2,6 +2,7 @@
 #include "gui/view/comparison_commands.h"
 
 #include <QActionGroup>
+#include <QHBoxLayout>
 #include <QLabel>
 #include <QMenu>
 #include <QToolButton>
@@ -14,6 +15,34 @@
 
 namespace hogelscope {
 
+namespace {
+
+/// Two parts beside each other, or below each other where the first one would be folded.
+class FoldingBar : public QWidget {
+ public:
+  FoldingBar() : m_parts(new QBoxLayout(QBoxLayout::LeftToRight, this)) {
+    m_parts->setContentsMargins(scaled(8), scaled(4), scaled(4), scaled(4));
+    m_parts->setSpacing(0);
+  }
+
+  void add(QWidget* first, QWidget* second) {
+    m_parts->addWidget(first, 1);
+    m_parts->addWidget(second);
+  }
+
+ protected:
+  void resizeEvent(QResizeEvent*) override {
+    constexpr int wide = 700;
+    m_parts->setDirection(width() < scaled(wide) ? QBoxLayout::TopToBottom
+                                                 : QBoxLayout::LeftToRight);
+  }
+
+ private:
+  QBoxLayout* m_parts;
+};
+
+}  // namespace
+
 ComparisonCommands::ComparisonCommands(QMenu* menu, ImageWidget* view, QVBoxLayout* around,
                                        QObject* parent)
     : QObject(parent),
@@ -21,7 +50,8 @@ ComparisonCommands::ComparisonCommands(QMenu* menu, ImageWidget* view, QVBoxLayo
       m_view(view),
       m_modes(new QActionGroup(this)),
       m_kinds(new QActionGroup(this)),
-      m_bar(new QWidget),
+      m_bar(new FoldingBar),
+      m_buttons(new QHBoxLayout),
       m_figures(new QLabel),
       m_histogram(new HistogramWidget),
       m_meter(new ComparisonMeter(this)) {
@@ -159,10 +189,11 @@ void ComparisonCommands::addBar(QVBoxLayout* around) {
       tr("The report's metrics of the 8-bit pictures that are shown; Shift and a drag over the "
          "picture mark a rectangle, whose figures are shown too"));
   m_bar->setObjectName("comparisonBar");
-  auto* row = new QHBoxLayout(m_bar);
-  row->setContentsMargins(scaled(8), scaled(4), scaled(4), scaled(4));
-  row->setSpacing(0);
-  row->addWidget(m_figures, 1);
+  auto* buttons = new QWidget;
+  buttons->setLayout(m_buttons);
+  m_buttons->setContentsMargins(0, 0, 0, 0);
+  m_buttons->setSpacing(0);
+  static_cast<FoldingBar*>(m_bar)->add(m_figures, buttons);
   QAction* map = m_errorMenu->menuAction();
   map->setIconText(tr("Error map"));
   map->setToolTip(tr("Which error of the other picture is shown"));
@@ -180,7 +211,7 @@ void ComparisonCommands::addToBar(QAction* action) {
   button->setDefaultAction(action);
   button->setToolButtonStyle(Qt::ToolButtonTextOnly);
   button->setPopupMode(QToolButton::InstantPopup);
-  m_bar->layout()->addWidget(button);
+  m_buttons->addWidget(button);
 }
 
 void ComparisonCommands::setComparing(bool isComparing) {

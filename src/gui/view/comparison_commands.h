@@ -8,6 +8,7 @@
 #include "gui/view/image_widget.h"
 
 class QActionGroup;
+class QHBoxLayout;
 class QLabel;
 class QMenu;
 class QVBoxLayout;
@@ -48,6 +49,7 @@ class ComparisonCommands : public QObject {
   QAction* m_falseColour = nullptr;
   QAction* m_showHistogram = nullptr;
   QWidget* m_bar;
+  QHBoxLayout* m_buttons;  ///< in it
   QLabel* m_figures;
   HistogramWidget* m_histogram;
   ComparisonMeter* m_meter;

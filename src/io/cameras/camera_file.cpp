@@ -258,7 +258,8 @@ std::string sizeWarning(const Calibration& calibration, const std::array<int, 2>
                      pairText(res[0], res[1]) + " px: --set camera.res=[" + std::to_string(res[0]) +
                      "," + std::to_string(std::max(1L, std::lround(height * scale))) + "]";
   const auto add = [&text](const char* name, double value) {
-    if (value != notGiven) text += std::string(" --set intrinsics.") + name + "=" + numberText(value);
+    if (value != notGiven)
+      text += std::string(" --set intrinsics.") + name + "=" + numberText(value);
   };
   add("fx", k.fx);
   add("fy", k.fy);
