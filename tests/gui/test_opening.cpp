@@ -66,6 +66,30 @@ class TestOpening : public HabitsTest {
     QCOMPARE(errors(), QString());
   }
 
+  /// What no picture says stands above the picture, until it is closed or chosen.
+  void whatWasAssumedIsSaid() {
+    writeTwoWalls(path("h.png"), 40, 30, 24, 18);
+    auto* change = m_window->findChild<QAction*>("changeOpeningAction");
+    QVERIFY(!change->isEnabled());
+    drop({path("h.png")});
+    QTRY_VERIFY_WITH_TIMEOUT(hasPicture(), patience);
+    auto* bar = m_window->findChild<QWidget*>("noteBar");
+    auto* line = m_window->findChild<QLabel*>("noteLine");
+    QVERIFY(bar->isVisible() && change->isEnabled());
+    QVERIFY2(
+        line->text().startsWith("40×30 hogels of 24×18 directions · assumed: panel 0.5×0.375 m"),
+        qPrintable(line->text()));
+    QVERIFY(line->text().endsWith("field of view 60×60°"));
+    m_window->findChild<QAbstractButton*>("noteCure")->click();
+    QTRY_VERIFY_WITH_TIMEOUT(isSettled(), patience);
+    QTest::keyClick(dialog(), Qt::Key_Escape);
+    QTRY_VERIFY_WITH_TIMEOUT(dialog() == nullptr, patience);
+    m_window->findChild<QAbstractButton*>("noteClose")->click();
+    QVERIFY(!bar->isVisible());
+    drop({m_session});
+    QTRY_VERIFY_WITH_TIMEOUT(!change->isEnabled(), patience);  // a session says all itself
+  }
+
   /// Of a picture that nothing is known of the window asks, and stays as it was if it is not told.
   void whatNothingIsKnownOfIsAsked() {
     writePhotograph(path("p.png"), 240, 180);
