@@ -36,6 +36,7 @@
 #include "gui/docks/plot_saver.h"
 #include "gui/docks/tradeoff_widget.h"
 #include "gui/scene/scene_output.h"
+#include "gui/view/image_widget.h"
 #include "gui/view/view_output.h"
 #include "gui/widgets/task_widgets.h"
 #include "tests/core/rendered.h"
@@ -114,6 +115,7 @@ class TestOutput : public SceneTest {
   void aViewOfDoubleSizeSeesTheSameField();
   void formatsHoldWhatTheyCan();
   void viewsAreAskedFor();
+  void theExactPictureIsSavedUnlessAsShown();
   void viewsThatCannotBeWritten();
   void sceneOfDoubleSize();
   void sceneForFigures();
@@ -249,6 +251,30 @@ void TestOutput::viewsAreAskedFor() {
   QTRY_COMPARE_WITH_TIMEOUT(done.size(), 1, patience);
   QCOMPARE(specOf(file).width, 60);
   QCOMPARE(specOf(file).height, 60);
+}
+
+/// With a gain the shown picture is another one, and its name says so.
+void TestOutput::theExactPictureIsSavedUnlessAsShown() {
+  auto* view = child<ImageWidget>("pictureView");
+  QTRY_VERIFY_WITH_TIMEOUT(!view->image().isNull() && view->notice().isEmpty(), patience);
+  view->setGain(2);
+  const QString name = QString::fromStdString(m_model->current().camera.name);
+  for (const bool isShown : {false, true}) {
+    const QString file = path(isShown ? "out/shown.png" : "out/exact.png");
+    const Answers answers(
+        [isShown](QDialog* dialog) {
+          for (auto* button : dialog->findChildren<QPushButton*>())
+            if (button->text().contains(isShown ? "As shown" : "Exact, 120 × 120 px"))
+              button->click();
+        },
+        file);
+    child<QAction>("savePictureAction")->trigger();
+    QCOMPARE(answers.proposed, name + (isShown ? " (× 2).png" : ".png"));
+    QTRY_VERIFY_WITH_TIMEOUT(QFileInfo::exists(file), patience);
+  }
+  QTRY_COMPARE_WITH_TIMEOUT(QImage(path("out/exact.png")).size(), QSize(120, 120), patience);
+  QCOMPARE(QImage(path("out/exact.png")).convertToFormat(QImage::Format_RGB888), view->image());
+  QVERIFY(QImage(path("out/shown.png")).convertToFormat(QImage::Format_RGB888) != view->image());
 }
 
 /// One line that names the file, which is not there then.
