@@ -43,22 +43,25 @@ struct Watch {
 
 /// Embree calls this for each triangle that may be the nearest to some of a packet's rays. Of two
 /// at one depth, where surfaces are coplanar or intersect, the first one depends on the packet. The
-/// search therefore extends slightly beyond the nearest, so that both are found.
+/// search therefore extends slightly beyond the nearest, so that both are found. Processors without
+/// AVX-512 get a packet in parts, so a ray's place in it is its id; 0 is a ray that is traced
+/// alone.
 void watchTies(const RTCFilterFunctionNArguments* arguments) {
-  if (arguments->N != Hits::most) return;  // a single ray
   constexpr float margin = 1 + 4 * std::numeric_limits<float>::epsilon();
-  Watch& watch = *reinterpret_cast<Watch*>(arguments->context);
-  float* depths = &RTCRayN_tfar(arguments->ray, Hits::most, 0);
-  for (std::size_t i = 0; i < Hits::most; ++i) {
-    if (arguments->valid[i] == 0) continue;
-    const float depth = depths[i];
-    const float nearest = watch.depths[i];
-    watch.ties |= std::uint32_t(depth <= nearest * margin && nearest <= depth * margin) << i;
+  const unsigned lanes = arguments->N;
+  for (unsigned lane = 0; lane < lanes; ++lane) {
+    const unsigned id = RTCRayN_id(arguments->ray, lanes, lane);
+    if (arguments->valid[lane] == 0 || id == 0) continue;
+    Watch& watch = *reinterpret_cast<Watch*>(arguments->context);
+    float& nearest = watch.depths[id - 1];
+    float& reach = RTCRayN_tfar(arguments->ray, lanes, lane);
+    const float depth = reach;
+    watch.ties |= std::uint32_t(depth <= nearest * margin && nearest <= depth * margin) << (id - 1);
     if (depth > nearest) {
-      arguments->valid[i] = 0;
+      arguments->valid[lane] = 0;
     } else {
-      watch.depths[i] = depth;
-      depths[i] = depth * margin;
+      nearest = depth;
+      reach = depth * margin;
     }
   }
 }
@@ -138,7 +141,7 @@ void EmbreeScene::meet(std::span<const plugin::Ray> rays, Packet& packet) const 
     packets.ray.tnear[i] = 0;
     packets.ray.time[i] = 0;
     packets.ray.mask[i] = UINT32_MAX;
-    packets.ray.id[i] = 0;
+    packets.ray.id[i] = unsigned(i) + 1;
     packets.ray.flags[i] = 0;
     packets.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
     packets.hit.primID[i] = Hit::none;

@@ -24,10 +24,10 @@
 <context>
     <name>hogelscope::ImageCommands</name>
     <message numerus="yes">
-        <source>Coarse: %n samples of the pupil</source>
+        <source>coarse: %n samples of the pupil</source>
         <translation>
-            <numerusform>Coarse: %n sample of the pupil</numerusform>
-            <numerusform>Coarse: %n samples of the pupil</numerusform>
+            <numerusform>coarse: %n sample of the pupil</numerusform>
+            <numerusform>coarse: %n samples of the pupil</numerusform>
         </translation>
     </message>
 </context>
@@ -58,6 +58,13 @@
         <translation>
             <numerusform>&lt;b&gt;%1&lt;/b&gt; %n state</numerusform>
             <numerusform>&lt;b&gt;%1&lt;/b&gt; %n states</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Replace report of %n states</source>
+        <translation>
+            <numerusform>Replace report of %n state</numerusform>
+            <numerusform>Replace report of %n states</numerusform>
         </translation>
     </message>
 </context>

@@ -77,7 +77,7 @@ class TestOpening : public HabitsTest {
     auto* line = m_window->findChild<QLabel*>("noteLine");
     QVERIFY(bar->isVisible() && change->isEnabled());
     QVERIFY2(
-        line->text().startsWith("40×30 hogels of 24×18 directions · assumed: panel 0.5×0.375 m"),
+        line->text().startsWith("40×30 hogels of 24×18 directions · assumed: panel 0.5×0.2812 m"),
         qPrintable(line->text()));
     QVERIFY(line->text().endsWith("field of view 60×60°"));
     m_window->findChild<QAbstractButton*>("noteCure")->click();

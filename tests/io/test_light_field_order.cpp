@@ -407,6 +407,14 @@ class TestLightFieldOrder : public QObject {
     QCOMPARE(order.sureness, Sureness::sure);
     QVERIFY(order.columns == ColumnOrder::rightLeft);
     QVERIFY(session.lightField.incoming);
+    // A lens sheet of a panel of another size weaves the same views.
+    DisplayParams display;
+    display.sheet.emplace().calibration.params = {
+        .pitch = 5, .slope = -6, .center = 0.1, .dpi = 50, .panel = {180, 120}, .cone = 40};
+    const LightFieldOrder onSheet = findLightFieldOrder(session.lightField, display);
+    QCOMPARE(onSheet.sureness, Sureness::sure);
+    QVERIFY(onSheet.columns == order.columns);
+    QCOMPARE(onSheet.reason, order.reason);
   }
 
   void aMosaic_data() {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Reads the geometry of cameras from the file that some captures have beside their views
-// (docs/formulas.md, Display and Order of views).
+// (docs/formulas.md, Display; docs/formulas.md, Order of views).
 #pragma once
 
 #include <array>

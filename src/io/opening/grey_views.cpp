@@ -202,7 +202,9 @@ std::optional<GreyViews> greyViewsOf(const LightFieldParams& params, const Displ
     return viewsOfFolder(params, display);
   LightFieldParams asStored = withoutOrder(params);
   asStored.incoming = false;
-  auto file = openLightField(asStored, display);
+  // Tiles are views of the file itself, also where a lens sheet weaves them into one picture.
+  const bool isWoven = display.sheet && typeOf(params.layout).isOfTiles;
+  auto file = openLightField(asStored, isWoven ? DisplayParams() : display);
   const LightFieldSize size = file->size();
   constexpr double mostPixels = 3e8;  // a few seconds
   if (double(size.width()) * double(size.height()) > mostPixels) return std::nullopt;
