@@ -141,7 +141,9 @@ MapPlot mtfMap(const Bench& bench, const std::vector<MeasuredFigure>& figures) {
     const double depth = bench.pitch(axis) / bench.step(axis);
     upright(-depth / (distance * distance), "sharp from here", true);
     upright(depth / (distance * distance), "to here", true);
-    if (depth < distance) upright(dioptresAt(depth, distance), "one direction = one hogel", false);
+    const char* const equal =
+        bench.sheet() != nullptr ? "one view = one lens" : "one direction = one hogel";
+    if (depth < distance) upright(dioptresAt(depth, distance), equal, false);
     upright(dioptresAt(-depth, distance), "", false);
   }
   const double limit = distance * std::acos(-1) / 180 / (2 * bench.pitch(axis));

@@ -150,7 +150,7 @@ void WindowLayout::toggle(QDockWidget* dock) {
   if (isHome()) return dock->toggleViewAction()->setChecked(false);
   Section* section = m_parts.sections->sectionOf(dock);
   if (section != nullptr && !section->isOut()) return toggle(section);
-  if (isSeen(dock) && hasFocusIn(dock)) {
+  if (isSeen(dock) && (dock->isFloating() || hasFocusIn(dock))) {
     dock->close();
   } else {
     dock->show();

@@ -87,7 +87,7 @@ void ImageWidget::addCommands() {
              tr("Shows the picture, or the error, half as bright"), {Qt::SHIFT | Qt::Key_Down}, {},
              [this] { setGain(gain() / 2); });
   addCommand("stretchAction", tr("&Stretch"), tr("Shows the lightest pixel of the picture white"),
-             {Qt::CTRL | Qt::SHIFT | Qt::Key_Up}, {}, &ImageWidget::stretch);
+             {Qt::SHIFT | Qt::Key_R}, {}, &ImageWidget::stretch);
   addCommand("moreGammaAction", tr("More &gamma"),
              tr("Brightens dark parts of what is shown; code values are raised to 1/gamma"),
              {Qt::CTRL | Qt::Key_Up}, {}, [this] { setGamma(gamma() + 0.2); });
