@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Where a curve of measured points is within a limit.
+// Finds where a curve of measured points is within a limit.
 #pragma once
 
 #include <array>

@@ -50,7 +50,7 @@ class SweepWidget : public QWidget {
     std::vector<std::string> figures{};  ///< those that were measured
     std::vector<SweepRow> rows{};        ///< of each value
   };
-  /// Of a figure of good designs.
+  /// The limit that good designs keep for a figure.
   struct Limit {
     bool isLeast = true;
     std::optional<double> value;  ///< none: the figure has no limit

@@ -32,7 +32,7 @@ struct CaptureGeometry {
 std::optional<CaptureGeometry> captureGeometry(const std::filesystem::path& folder,
                                                const ViewFiles& views, int width, int height);
 
-/// What the program knows of the plane in focus, which files of cameras do not say.
+/// The plane in focus as the program knows it; files of cameras do not say it.
 struct KnownFocus {
   double distance = notGiven;                  ///< from the cameras, metres
   std::optional<std::array<double, 2>> shear;  ///< seen in the views, without a distance

@@ -14,7 +14,7 @@
 
 namespace hogelscope {
 
-/// What the places of a capture's cameras say of the order of its files; nothing else is so sure.
+/// The order of a capture's files by the places of its cameras; nothing else is so sure.
 struct CameraOrder {
   RowOrder rows = RowOrder::topDown;
   ColumnOrder columns = ColumnOrder::leftRight;

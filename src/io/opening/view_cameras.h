@@ -24,7 +24,7 @@ struct ViewCameras {
   bool isCounted = false;  ///< the views have running numbers, which need the grid's size
 };
 
-/// What a file of cameras beside views says of their order.
+/// The order of views by a file of cameras that lies beside them.
 struct ViewCamerasSearch {
   std::optional<ViewCameras> found;
   std::vector<std::string> lines;  ///< why a file is not used, or what it contradicts
