@@ -19,15 +19,18 @@ install(FILES ${desktop}/${HOGELSCOPE_APP}.xml
   DESTINATION ${CMAKE_INSTALL_DATADIR}/mime/packages COMPONENT window)
 install(FILES data/scene.png data/room.glb
   DESTINATION ${CMAKE_INSTALL_DATADIR}/hogelscope/samples COMPONENT program)
-foreach(sample table1 room)
+foreach(sample table1 room arc as_built)
   install(FILES data/${sample}.json DESTINATION ${CMAKE_INSTALL_DATADIR}/hogelscope/samples
     RENAME ${sample}.hogelscope COMPONENT program)
 endforeach()
-foreach(display integral_imaging_8k looking_glass_27_class looking_glass_portrait paper)
-  install(FILES data/displays/${display}.json COMPONENT program
-    DESTINATION ${CMAKE_INSTALL_DATADIR}/hogelscope/samples/displays RENAME ${display}.hogelscope)
+file(GLOB displays CONFIGURE_DEPENDS data/displays/*.json)
+list(FILTER displays EXCLUDE REGEX library.json)
+foreach(display ${displays})
+  cmake_path(GET display STEM name)
+  install(FILES ${display} COMPONENT program
+    DESTINATION ${CMAKE_INSTALL_DATADIR}/hogelscope/samples/displays RENAME ${name}.hogelscope)
 endforeach()
-install(FILES data/displays/README.md COMPONENT program
+install(FILES data/displays/library.json data/displays/README.md COMPONENT program
   DESTINATION ${CMAKE_INSTALL_DATADIR}/hogelscope/samples/displays)
 
 # After the rules that install headers.

@@ -1,5 +1,5 @@
 #!/bin/sh
-# install.sh LIST: installs the Debian packages of a list that are missing, one a line; as root, or
+# install.sh LIST…: installs the Debian packages of the lists that are missing, one a line; as root, or
 # with sudo. A package with a release behind it ("clang-format-14 bookworm") is for that one alone.
 set -eu
 
@@ -13,7 +13,9 @@ while read -r package only; do
   case $package in '' | '#'*) continue ;; esac
   case $only in '' | "$release") ;; *) continue ;; esac
   echo "$installed" | grep -Fqx "$package" || missing="$missing $package"
-done <"$1"
+done <<EOF
+$(cat "$@")
+EOF
 [ -n "$missing" ] || exit 0
 
 as_root=

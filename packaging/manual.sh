@@ -64,6 +64,16 @@ cp "$output/front.focus01.png" resources/manual/focus_near.png
 cp "$output/front.focus02.png" resources/manual/focus_far.png
 cp "$output/front.png" resources/home/room.png
 cp "$output/Fig 1.png" resources/home/table1.png
+"$program" --render --session data/as_built.json --states front --set 'camera.res=[440,216]' \
+  --set camera.fov=25 --output "$output/home"
+cp "$output/home/front.png" resources/home/as_built.png
+"$program" --render --session $sheet --states eyes --set stereo.ipd=0 --set 'camera.res=[440,216]' \
+  --set camera.fov=5.6 --output "$output/home"
+cp "$output/home/eyes.png" resources/home/looking_glass_portrait_sheet.png
+"$program" --render --session data/arc.json --set 'camera.res=[144,106]' --set camera.fov=48 \
+  --output "$output/home"
+montage "$output"/home/eye\ [134679].png -tile 3x2 -geometry 144x106+1+1 -background black -strip \
+  resources/home/arc.png
 screenshots() {
   xvfb-run -a -s "-screen 0 2560x1600x24" build/release/bin/screenshots resources/manual "$@"
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Tests paths of a camera against closed forms, and the up direction against quaternions.
 #include "core/cameras/camera_path.h"
+#include "core/cameras/focus_stack.h"
 
 #include <QTest>
 #include <cmath>
@@ -193,6 +194,28 @@ class TestCameraPath : public QObject {
       };
       QVERIFY(std::abs(view(path[k].camera) - view(given.cameras[0].camera)) < 1e-14);
     }
+  }
+
+  /// In even steps of dioptres between the ends of what is sharp.
+  void aFocusStackIsAPath() {
+    Session given = session();
+    given.display.hogels = {100, 100};
+    given.display.directions = {30, 30};
+    QVERIFY(errorOf([&] {
+              statesAlong({PathKind::focus, 3}, given, 0);
+            }).contains("a pinhole, which sees everything sharp"));
+    given.cameras[0].pupil.diameter = 0.004;
+    const auto path = statesAlong({PathKind::focus, 3}, given, 0);
+    const std::vector<double> wanted = focusDistances(given.cameras[0], displayOf(given), 3);
+    QCOMPARE(path.size(), std::size_t(3));
+    for (std::size_t k = 0; k < 3; ++k) {
+      QCOMPARE(path[k].pupil.focus, wanted[k]);
+      QVERIFY(path[k].camera.eye == given.cameras[0].camera.eye);
+    }
+    QVERIFY(path[0].pupil.focus < path[2].pupil.focus);
+    const double middle = (1 / path[0].pupil.focus + 1 / path[2].pupil.focus) / 2;
+    QVERIFY(std::abs(1 / path[1].pupil.focus - middle) < 1e-12);
+    QCOMPARE(path[2].camera.name, std::string("frame_0003"));
   }
 
   void namesSortAsTheyAreNumbered() {

@@ -281,7 +281,7 @@ int main(int argc, char** argv) {
   QStandardPaths::setTestModeEnabled(true);
   const QTemporaryDir settings;  // not the user's own
   QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, settings.path());
-  QSettings().setValue("window/hintsUsed", QStringList{"sceneHint", "viewHint"});
+  QSettings().setValue("window/hintsUsed", QStringList{"eye", "pixel", "directions"});
   installTranslations();
   const QStringList arguments = application.arguments();
   const QStringList size = arguments.value(2).split('x');

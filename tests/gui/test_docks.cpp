@@ -269,6 +269,19 @@ class TestDocks : public DocksTest {
             m_model->session().cameras);
   }
 
+  /// The light field says the same number, which stands there in grey where it is left out.
+  void aGivenNumberThatIsKnownTooStays() {
+    QVERIFY(QDir::setCurrent(m_folder.path()));
+    writeSmallSession();
+    QVERIFY(files(*m_window).open("s.json"));
+    auto* hogels = editor<QSpinBox>("displayArea", "hogels.0");
+    const Session before = m_model->session();
+    QVERIFY(before.display.hogels[0] > 0);
+    QTRY_COMPARE_WITH_TIMEOUT(hogels->specialValueText(), hogels->text(), patience);
+    hogels->interpretText();  // as when it loses the focus
+    QVERIFY(m_model->session() == before);
+  }
+
   void lenslets() {
     writeImageFile(m_folder.filePath("raw.png"), 60, 50,
                    [](int x, int y, int) { return float(x * y % 97) / 96; });

@@ -363,6 +363,36 @@ class TestImageWidget : public QObject {
     QCOMPARE(at({201, 151}), QColor(0, 0, 80));
   }
 
+  /// Left both pictures and the line, right the map of their error; zoomed and moved together.
+  void wipeAndErrorAreBesideEachOther() {
+    compare();
+    m_view->setErrorMap(ErrorKind::absolute, false);
+    m_view->setMode(ImageWidget::Mode::wipe);
+    m_view->setWipe(0.25);
+    const QImage wiped = m_view->shownImage();
+    m_view->setMode(ImageWidget::Mode::difference);
+    const QImage error = m_view->shownImage();
+    m_view->setMode(ImageWidget::Mode::wipeAndError);
+    m_view->setWipe(0.25);
+    const QImage both = m_view->shownImage();
+    const QSize size = m_view->image().size();
+    QCOMPARE(both.size(), QSize(2 * size.width(), size.height()));
+    QCOMPARE(both.copy(QRect({size.width(), 0}, size)), error);
+    QCOMPARE(wiped.pixel(0, size.height() / 2), both.pixel(0, size.height() / 2));
+    QCOMPARE(both.pixel(size.width() - 1, 20), m_view->otherImage().pixel(size.width() - 1, 20));
+    // Both panes have the gain of the error, and the line is in the left one alone.
+    m_view->setGain(2);
+    QCOMPARE(m_view->gain(), 2.0);
+    QCOMPARE(QColor(m_view->shownImage().pixel(size.width() + 5, 5)), QColor(0, 0, 80));
+    QSignalSpy wipes(m_view.get(), &ImageWidget::pointed);
+    const QPoint line(m_view->width() / 8, m_view->height() / 2);
+    QTest::mousePress(m_view.get(), Qt::LeftButton, {}, line);
+    QTest::mouseMove(m_view.get(), {m_view->width() / 4, m_view->height() / 2});
+    QTest::mouseRelease(m_view.get(), Qt::LeftButton, {},
+                        {m_view->width() / 4, m_view->height() / 2});
+    QVERIFY2(std::abs(m_view->wipe() - 0.5) < 0.02, qPrintable(QString::number(m_view->wipe())));
+  }
+
   void gainAndGammaChangeWhatIsShown() {
     key(Qt::Key_Up, Qt::ShiftModifier);
     QCOMPARE(at({201, 151}), QColor(200, 150, 2 * firstBlue));

@@ -194,6 +194,41 @@ class TestLiveScenes : public SceneTest {
     child<QAction>("undoAction")->trigger();
   }
 
+  /// One command puts the content on another display and compares it with the one before; one undo
+  /// takes it back.
+  void theContentIsSeenOnOtherDisplays() {
+    m_model->edit("a unit", [](Session& session) {
+      session.display.position = {0.01, 0, 0};
+      session.twin.lensArray.rotation = 0.01;
+    });
+    QTRY_VERIFY_WITH_TIMEOUT(view()->tag() == "as built", patience);
+    const Session before = m_model->session();
+    auto* see = child<QAction>("integral_imaging_8kAction");
+    QVERIFY(see->isEnabled() && see->toolTip().contains("Infrared and Laser Engineering"));
+    see->trigger();
+    const DisplayParams wanted =
+        loadSession(HOGELSCOPE_SOURCE_DIR "/data/displays/integral_imaging_8k.json").display;
+    DisplayParams placed = wanted;
+    placed.position = before.display.position;
+    QVERIFY(m_model->session().display == placed);
+    QVERIFY(m_model->session().twin.isZero() && m_model->session().cameras == before.cameras);
+    QVERIFY(child<QAction>("wipeAction")->isChecked());
+    QTRY_VERIFY_WITH_TIMEOUT(showsWhatIsTrue() && !view()->otherImage().isNull(), patience);
+    QCOMPARE(view()->titles(),
+             QStringList({"Integral imaging, 8K, 31.5 inches", "Display before"}));
+    child<QAction>("paperAction")->trigger();
+    QTRY_VERIFY_WITH_TIMEOUT(showsWhatIsTrue(), patience);
+    QCOMPARE(view()->titles(),
+             QStringList({"The paper's display", "Integral imaging, 8K, 31.5 inches"}));
+    child<QAction>("undoAction")->trigger();
+    child<QAction>("undoAction")->trigger();
+    QVERIFY(m_model->session() == before);
+    child<QAction>("stopComparingAction")->trigger();
+    QVERIFY(files(*m_window).open(sampleFile));  // a picture has the hogels that it has
+    QTRY_VERIFY_WITH_TIMEOUT(message().contains(" ms"), patience);
+    QVERIFY(!see->isEnabled());
+  }
+
   void aDamagedMeshIsTold() {
     writeFile(m_folder.filePath("bad.glb"), "glTF");
     const Session before = m_model->session();

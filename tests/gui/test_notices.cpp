@@ -52,6 +52,7 @@ class TestNotices : public WindowTest {
   void aBlackPictureSaysWhatHelps();
   void aDarkPictureIsStretched();
   void thePictureSaysWhatItIs();
+  void theUnitIsComparedWithItsDesign();
 
  private:
   QRect cures() const {
@@ -339,6 +340,30 @@ void TestNotices::thePictureSaysWhatItIs() {
   QVERIFY(commands()->deviations().isEmpty());
   action("anaglyphAction")->trigger();
   QTRY_COMPARE_WITH_TIMEOUT(commands()->deviations(), QStringList("both eyes"), patience);
+}
+
+void TestNotices::theUnitIsComparedWithItsDesign() {
+  openSmall();
+  QVERIFY(!action("compareDesignedAction")->isEnabled());
+  Session built = m_model->session();
+  built.twin.lensArray.rotation = 1;
+  m_model->setContent(built);
+  QTRY_COMPARE_WITH_TIMEOUT(view()->tag(), QString("as built"), patience);
+  action("asBuiltAction")->trigger();
+  action("compareDesignedAction")->trigger();
+  QVERIFY(action("asBuiltAction")->isChecked());
+  QTRY_VERIFY_WITH_TIMEOUT(view()->hasTwo(), patience);
+  QCOMPARE(view()->titles(), QStringList({"As built", "As designed"}));
+  const ViewSource source = loadViewSource(built, {});
+  ViewSource design = source;
+  design.twin = nullptr;
+  const auto shows = [this](const QImage& image, const ViewSource& wanted) {
+    return equals(image, rendered(wanted.job(m_model->current())));
+  };
+  QTRY_VERIFY_WITH_TIMEOUT(shows(view()->image(), source), patience);
+  QVERIFY(shows(view()->otherImage(), design) && view()->image() != view()->otherImage());
+  action("stopComparingAction")->trigger();
+  QTRY_VERIFY_WITH_TIMEOUT(!view()->hasTwo(), patience);
 }
 
 int main(int argc, char** argv) {

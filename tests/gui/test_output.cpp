@@ -35,10 +35,12 @@
 #include "core/engine/scaled_view.h"
 #include "gui/docks/plot_saver.h"
 #include "gui/docks/tradeoff_widget.h"
+#include "gui/files/light_field_output.h"
 #include "gui/scene/scene_output.h"
 #include "gui/view/image_widget.h"
 #include "gui/view/view_output.h"
 #include "gui/widgets/task_widgets.h"
+#include "io/opening/session_around.h"
 #include "tests/core/rendered.h"
 #include "tests/gui/scene_test.h"
 #include "tests/gui/shown_image.h"
@@ -132,6 +134,9 @@ class TestOutput : public SceneTest {
   void aVideo();
   void videosThatCannotBeWritten();
   void otherPaths();
+  void lightFields();
+  void lightFieldsForAUnit();
+  void lightFieldsAreAskedFor();
   void theDialogSaysWhatIsWrong();
   void withoutFfmpeg();
 
@@ -634,11 +639,92 @@ void TestOutput::otherPaths() {
   QCOMPARE(QDir(path("out/between")).entryList(QDir::Files).size(), qsizetype(count));
   const CameraPath orbit{PathKind::orbit, 4, 30};
   QVERIFY(animated(path("out/orbit"), 1, {}, orbit).contains("Saved 4 pictures"));
-  for (const auto& [way, name] : {std::pair(between, "between"), std::pair(orbit, "orbit")}) {
+  CameraState eye = m_session.cameras[0];
+  eye.pupil.diameter = 0.004;
+  m_model->setCurrent(eye);
+  const CameraPath focus{PathKind::focus, 3};
+  QVERIFY(animated(path("out/focus"), 1, {}, focus).contains("Saved 3 pictures"));
+  m_session.cameras[0] = eye;
+  for (const auto& [way, name] :
+       {std::pair(between, "between"), std::pair(orbit, "orbit"), std::pair(focus, "focus")}) {
     const CameraState state = statesAlong(way, m_session, 0)[2];
     const Image found = readImage(path(QString("out/%1/frame_0003.png").arg(name)));
     QVERIFY(found.rgb == rendered(m_loaded.job(state)).rgb);
   }
+}
+
+/// The files are those of the functions of batch mode.
+void TestOutput::lightFields() {
+  auto* output = m_window->findChild<LightFieldOutput*>();
+  const auto saved = [&](ExportLayout layout, const QString& name) {
+    return said(output, [&] { output->save(layout, path("out/" + name)); });
+  };
+  for (const auto& [layout, name] :
+       {std::pair(ExportLayout::hogels, "h.png"), std::pair(ExportLayout::mosaic, "m.png")}) {
+    QVERIFY2(saved(layout, name).contains("Saved"), name);
+    const auto content = contentToExport(m_session, layout, false);
+    exportAs(layout, m_session, *content, path(QString("out/own_%1").arg(name)).toStdString(), {});
+    QVERIFY(!contentsOf(path(QString("out/%1").arg(name))).isEmpty());
+    QCOMPARE(contentsOf(path(QString("out/%1").arg(name))),
+             contentsOf(path(QString("out/own_%1").arg(name))));
+  }
+  QVERIFY(saved(ExportLayout::views, "views").contains("Saved"));
+  QVERIFY(saved(ExportLayout::pack, "store.tif").contains("Saved"));
+  // What was written gives the same view.
+  const Image wanted = rendered(m_loaded.job(m_session.cameras[0]));
+  for (const char* name : {"h.png", "views", "store.tif"}) {
+    const Session other =
+        withLightField(m_session, path(QString("out/%1").arg(name)).toStdString());
+    QVERIFY2(rendered(loadViewSource(other, {}).job(m_session.cameras[0])).rgb == wanted.rgb, name);
+  }
+  QVERIFY(saved(ExportLayout::quilt, "q.png").contains("a quilt has one row of directions"));
+  QVERIFY(!QFileInfo::exists(path("out/q.png")));
+  QVERIFY(saved(ExportLayout::hogels, "no/h.png").contains("no"));
+  // No input is replaced.
+  const QString input = QString::fromStdString(contentName(m_session.lightField));
+  const QByteArray before = contentsOf(input);
+  QVERIFY(said(output, [&] { output->save(ExportLayout::hogels, input); }).startsWith("Error"));
+  QCOMPARE(contentsOf(input), before);
+}
+
+/// Through its unit the corrected content looks as the session's own does on the design.
+void TestOutput::lightFieldsForAUnit() {
+  Session built = m_session;
+  built.twin.lensArray.offset = {built.display.size[0] / 100, 0};
+  m_model->setContent(built);
+  auto* output = m_window->findChild<LightFieldOutput*>();
+  QVERIFY(said(output, [&] {
+            output->save(ExportLayout::hogels, path("out/unit.png"), true);
+          }).contains("Saved"));
+  const auto content = contentToExport(built, ExportLayout::hogels, true);
+  exportAs(ExportLayout::hogels, built, *content, path("out/own.png").toStdString(), {});
+  QCOMPARE(contentsOf(path("out/unit.png")), contentsOf(path("out/own.png")));
+}
+
+void TestOutput::lightFieldsAreAskedFor() {
+  int asked = 0;
+  const Answers answers(
+      [&](QDialog* dialog) {
+        auto* layouts = dialog->findChild<QComboBox*>("exportLayoutBox");
+        auto* ok = dialog->findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Ok);
+        const auto help = [&] { return dialog->findChild<QLabel*>("exportHelp")->text(); };
+        QVERIFY(dialog->findChild<QCheckBox*>("forTwinBox")->isHidden());
+        QStringList titles;
+        for (int k = 0; k < layouts->count(); ++k) titles << layouts->itemText(k);
+        QCOMPARE(titles, QStringList({"Hogels", "Views", "Quilt", "Mosaic", "Store"}));
+        layouts->setCurrentIndex(2);
+        QVERIFY2(help().contains("one row of directions") && !ok->isEnabled(), qPrintable(help()));
+        layouts->setCurrentIndex(3);
+        QVERIFY(help().contains("top left tile") && ok->isEnabled());
+        ++asked;
+      },
+      path("out/mosaic.png"));
+  QSignalSpy done(m_window->findChild<LightFieldOutput*>(), &LightFieldOutput::done);
+  child<QAction>("exportLightFieldAction")->trigger();
+  QCOMPARE(asked, 1);
+  QCOMPARE(answers.proposed, QString("mosaic.png"));
+  QTRY_COMPARE_WITH_TIMEOUT(done.size(), 1, patience);
+  QVERIFY(QFileInfo::exists(path("out/mosaic.png")));
 }
 
 /// What is wrong is said before anything is rendered, and keeps the dialog open.

@@ -18,6 +18,7 @@
 #include "core/metrics/metric.h"
 #include "core/optics/pixel_inspection.h"
 #include "gui/scene/vtk_widget.h"
+#include "gui/session/session_model.h"
 #include "gui/view/comparison.h"
 #include "gui/view/image_commands.h"
 #include "gui/view/image_widget.h"
@@ -228,18 +229,28 @@ class TestSimulatedView : public QObject {
     QTRY_VERIFY_WITH_TIMEOUT(view()->seen().format() != QImage::Format_Indexed8, patience);
   }
 
-  /// A hint stays until its view is clicked, and does not come again.
-  void hintsFadeAfterTheFirstUse() {
+  /// Each step stays until it is done, in any order, and does not come again.
+  void theNextStepIsSaidOnce() {
     QSettings().remove("window/hintsUsed");
     openSample();
-    auto* hint = m_window->findChild<QLabel*>("viewHint");
-    auto* other = m_window->findChild<QLabel*>("sceneHint");
-    QVERIFY(hint->isVisible() && view()->rect().contains(hint->geometry()));
-    QTest::mouseClick(view(), Qt::LeftButton, {}, {5, 5});
-    QTRY_VERIFY_WITH_TIMEOUT(!hint->isVisible(), patience);
-    QVERIFY(other->isVisible());
+    auto* guide = m_window->findChild<QLabel*>("guide");
+    QVERIFY(guide->isVisible() && guide->text().contains("drag the orange eye"));
+    auto* model = m_window->findChild<SessionModel*>();
+    model->edit("Directions", [](Session& session) { session.display.fov = {50, 50}; });
+    QVERIFY(guide->text().contains("drag the orange eye"));
+    CameraState state = model->current();
+    state.camera.eye.x += 0.01;
+    model->setCurrent(state);
+    QVERIFY2(guide->text().contains("click a black"), qPrintable(guide->text()));
+    QTRY_VERIFY_WITH_TIMEOUT(view()->notice().isEmpty(), patience);
+    QTest::mouseClick(view(), Qt::LeftButton, {}, view()->rect().center());
+    QVERIFY2(guide->text().contains("drag Directions"), qPrintable(guide->text()));
     openSample();
-    QVERIFY(!hint->isVisible());
+    QVERIFY(guide->isVisible() && guide->text().contains("drag Directions"));
+    model->edit("Directions", [](Session& session) { session.display.directions = {5, 5}; });
+    QVERIFY(!guide->isVisible());
+    openSample();
+    QVERIFY(!guide->isVisible());
   }
 
   /// By the functions of the report, of what is seen and of the rectangle.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // --export: the session's light field in another layout.
+#include <algorithm>
 #include <filesystem>
 #include <iostream>
 
@@ -14,7 +15,6 @@
 #include "io/files/atomic_file.h"
 #include "io/files/folders.h"
 #include "io/scene/light_field_export.h"
-#include "io/scene/twin_content.h"
 
 namespace hogelscope {
 
@@ -52,24 +52,6 @@ int exportRig(const Session& session, const CommandLine& line) {
   return 0;
 }
 
-/// Returns the session's light field, of a lens sheet the panel's picture or the views that it
-/// shows, or with --for-twin the one that its unit needs.
-std::shared_ptr<LightFieldFile> contentToExport(const Session& session, const CommandLine& line) {
-  if (session.display.sheet && line.subject != "woven") {
-    if (line.has("for-twin"))
-      throw InputError("command line", "--for-twin", "is not for the views of a lens sheet");
-    return openUnwoven(session.lightField, session.display);
-  }
-  std::shared_ptr<LightFieldFile> file = openLightField(session.lightField, session.display);
-  if (!line.has("for-twin")) return file;
-  const PanelParams display = resolved(displayOf(session), file->size());
-  auto twin = twinOf(session.twin, display);
-  if (!twin)
-    throw InputError("command line", "--for-twin",
-                     "needs a unit: --twin FILE, or a session with a twin");
-  return std::make_shared<TwinContent>(file, display, twin);
-}
-
 int runExport(const CommandLine& line) {
   if (line.has("twin") && !line.has("for-twin"))
     throw InputError(
@@ -88,35 +70,37 @@ int runExport(const CommandLine& line) {
     finish(line, session);
     return status;
   }
-  const auto isTo = [&line](const char* layout) { return line.subject == layout; };
-  const bool isQuilt = isTo("quilt");
-  if (!isTo("hogels") && !isTo("views") && !isQuilt && !isTo("mosaic") && !isTo("woven"))
+  const std::optional<ExportLayout> layout = exportLayoutNamed(line.subject);
+  if (!layout)
     throw InputError(
         "--export",
         "\"" + line.subject + "\" is not one of hogels, views, quilt, mosaic, woven, pack, rig");
-  const bool isForHogels = isTo("hogels") || isTo("mosaic");
-  if (session.display.sheet ? isForHogels : isTo("woven"))
+  if (std::ranges::count(exportLayoutsOf(session.display), *layout) == 0)
     throw InputError("--export " + line.subject,
-                     isForHogels
+                     session.display.sheet
                          ? "is for a display of hogels: give quilt, views or woven for a lens sheet"
                          : "is for a lens sheet: a session with display.kind \"sheet\"");
+  const bool isForTwin = line.has("for-twin");
+  if (isForTwin && session.display.sheet && layout != ExportLayout::woven)
+    throw InputError("command line", "--for-twin", "is not for the views of a lens sheet");
+  if (isForTwin && session.twin.isZero())
+    throw InputError("command line", "--for-twin",
+                     "needs a unit: --twin FILE, or a session with a twin");
   const fs::path output = line.text("output");
-  const Input input(session, contentToExport(session, line));
+  const Input input(session, contentToExport(session, *layout, isForTwin));
   LightFieldFile& file = *input.file;
   checkResults(line, session, {output});
   std::array<int, 2> tiles{};
-  if (isQuilt) tiles = quiltTilesFor(file, output);
+  if (layout == ExportLayout::quilt) tiles = quiltTilesFor(file.size(), output);
   makeFolderOf(output);
   ProgressBar bar("exporting", line.has("quiet"));
-  (isTo("hogels") || isTo("woven") ? exportHogels
-   : isQuilt                       ? exportQuilt
-   : isTo("views")                 ? exportViews
-                                   : exportMosaic)(file, output, bar.progress());
+  exportAs(*layout, session, file, output, bar.progress());
   bar.done();
   if (!finish(line, session)) return 0;
   std::cout << printable(output.string()) << ": " << line.subject;
-  if (isQuilt) std::cout << ", lightField.columns=" << tiles[0] << " lightField.rows=" << tiles[1];
-  if (isTo("mosaic"))
+  if (layout == ExportLayout::quilt)
+    std::cout << ", lightField.columns=" << tiles[0] << " lightField.rows=" << tiles[1];
+  if (layout == ExportLayout::mosaic)
     std::cout << ", display.directions=[" << file.size().du << "," << file.size().dv << "]";
   std::cout << "\n";
   return 0;

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/base/error.h"
+#include "core/cameras/focus_stack.h"
 
 namespace hogelscope {
 
@@ -83,6 +84,9 @@ std::vector<CameraState> statesAlong(const CameraPath& path, const Session& sess
     states.resize(size);
     for (std::size_t k = 0; k < states.size(); ++k)
       states[k] = stateAt(session.cameras, double(k) / double(steps));
+  } else if (path.kind == PathKind::focus) {
+    const CameraState& state = session.cameras.at(current);
+    states = focusStack(state, focusDistances(state, displayOf(session), path.count));
   } else {
     states.assign(size, session.cameras.at(current));
     for (std::size_t k = 0; k < states.size(); ++k)

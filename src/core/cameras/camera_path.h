@@ -8,8 +8,9 @@ namespace hogelscope {
 
 /// between: the states, and `count` pictures between each two of them. orbit: `count` pictures
 /// around the current state's look-at, over `degrees` with the state in the middle. turntable: the
-/// same around the display's vertical axis through its middle.
-enum class PathKind { between, orbit, turntable };
+/// same around the display's vertical axis through its middle. focus: the current state's focus
+/// stack (focus_stack.h) of `count` ≥ 2 pictures, the nearest first.
+enum class PathKind { between, orbit, turntable, focus };
 struct CameraPath {
   PathKind kind = PathKind::between;
   int count = 0;
@@ -17,8 +18,9 @@ struct CameraPath {
 };
 
 /// Returns the states of a path's pictures, named frame_0001 and so on with as many digits as the
-/// last one needs. Throws InputError if there is no state, an orbiting camera has no frame, states
-/// with pictures between them differ in size, or the path has more than a million pictures.
+/// last one needs. `session` has its display's hogels and directions where the focus moves. Throws
+/// InputError if there is no state, an orbiting camera has no frame, states with pictures between
+/// them differ in size, the path has more than a million pictures, or as focusDistances().
 std::vector<CameraState> statesAlong(const CameraPath& path, const Session& session,
                                      std::size_t current);
 

@@ -3,7 +3,6 @@
 
 #include <QAbstractButton>
 #include <QAction>
-#include <QCoreApplication>
 #include <QFileInfo>
 #include <QLabel>
 #include <QLocale>
@@ -12,21 +11,13 @@
 #include <QToolButton>
 
 #include "gui/files/recent_files.h"
+#include "gui/session/library_menu.h"
 #include "gui/widgets/colours.h"
 #include "ui_home_page.h"
 
 namespace hogelscope {
 
 namespace {
-
-/// Returns the installed sample, or the one in the source tree; empty if there is none.
-QString sampleFile(const QString& name) {
-  const QString program = QCoreApplication::applicationDirPath();
-  for (const QString& file : {program + "/../share/hogelscope/samples/" + name + ".hogelscope",
-                              program + "/../../../data/" + name + ".json"})
-    if (QFileInfo::exists(file)) return QFileInfo(file).canonicalFilePath();
-  return {};
-}
 
 /// Paints a picture that fills `area`, cut at its longer side.
 void paintFilling(QPainter& painter, const QRect& area, const QImage& image) {
@@ -41,14 +32,17 @@ void paintFilling(QPainter& painter, const QRect& area, const QImage& image) {
 /// A picture with a title and a line below it.
 class Card : public QAbstractButton {
  public:
-  Card(const QString& title, QString line, const QString& picture)
-      : m_line(std::move(line)), m_picture(picture) {
+  Card(const QString& title, QString line, const QString& picture, bool isLarge)
+      : m_line(std::move(line)), m_picture(picture), m_isLarge(isLarge) {
     setText(title);
     setAccessibleDescription(m_line);
     setFocusPolicy(Qt::StrongFocus);
     setCursor(Qt::PointingHandCursor);
   }
-  [[nodiscard]] QSize sizeHint() const override { return {scaled(440), scaled(280 + footHeight)}; }
+  [[nodiscard]] QSize sizeHint() const override {
+    return m_isLarge ? QSize(scaled(440), scaled(280 + footHeight))
+                     : QSize(scaled(220), scaled(108 + footHeight));
+  }
 
  protected:
   void paintEvent(QPaintEvent*) override {
@@ -76,6 +70,7 @@ class Card : public QAbstractButton {
 
   QString m_line;
   QImage m_picture;
+  bool m_isLarge;
 };
 
 /// A row of a list: an icon or a picture, a title with a note, and a key or a date at the right.
@@ -171,18 +166,25 @@ HomePage::HomePage(QWidget* parent) : QScrollArea(parent), m_ui(std::make_unique
   m_ui->page->setMaximumWidth(scaled(1000));  // even in a large window
   const int side = scaled(44);
   m_ui->sign->setPixmap(QIcon(":/desktop/io.github.hogelscope.Hogelscope.svg").pixmap(side, side));
-  addSample("room", tr("The room"), tr("A live scene on a 0.5 m display: drag the eye"));
-  addSample("table1", tr("Table I"), tr("The paper's display, six cameras"));
+  addSample("room", tr("The room"), tr("A live scene on a 0.5 m display: drag the eye"), 0, 0, 2);
+  addSample("table1", tr("Table I"), tr("Six cameras of the paper"), 0, 1);
+  addSample("arc", tr("Arc of nine eyes"), tr("One room, walked past"), 0, 2);
+  addSample("as_built", tr("As built"), tr("Turned, uneven lenses"), 1, 1);
+  addSample("displays/looking_glass_portrait_sheet", tr("Lens sheet"),
+            tr("A slanted sheet over sub-pixels"), 1, 2);
 }
 
 HomePage::~HomePage() = default;
 
-void HomePage::addSample(const QString& name, const QString& title, const QString& line) {
+/// A sample of two rows is large.
+void HomePage::addSample(const QString& name, const QString& title, const QString& line, int row,
+                         int column, int rows) {
   const QString file = sampleFile(name);
   if (file.isEmpty()) return;
-  auto* card = new Card(title, line, ":/home/" + name + ".png");
-  card->setObjectName(name + "Sample");
-  m_ui->samplesLayout->addWidget(fileButton(file, card), 1);
+  const QString id = name.section('/', -1);
+  auto* card = new Card(title, line, ":/home/" + id + ".png", rows > 1);
+  card->setObjectName(id + "Sample");
+  m_ui->samplesLayout->addWidget(fileButton(file, card), row, column, rows, 1);
 }
 
 void HomePage::addCommands(const QWidget& window) {

@@ -32,7 +32,8 @@ class HomePage : public QScrollArea {
   void showEvent(QShowEvent* event) override;
 
  private:
-  void addSample(const QString& name, const QString& title, const QString& line);
+  void addSample(const QString& name, const QString& title, const QString& line, int row,
+                 int column, int rows = 1);
   void fillRecent();
   QWidget* fileButton(const QString& file, QAbstractButton* button);
 

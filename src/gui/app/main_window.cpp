@@ -14,6 +14,7 @@
 #include <chrono>
 #include <utility>
 
+#include "gui/app/guide.h"
 #include "gui/app/help_commands.h"
 #include "gui/app/home_page.h"
 #include "gui/app/messages.h"
@@ -25,6 +26,7 @@
 #include "gui/docks/properties.h"
 #include "gui/docks/state_dock.h"
 #include "gui/files/file_commands.h"
+#include "gui/files/light_field_output.h"
 #include "gui/keys/command_palette.h"
 #include "gui/scene/display_scene.h"
 #include "gui/scene/scene_controller.h"
@@ -41,7 +43,7 @@
 #include "gui/view/view_worker.h"
 #include "gui/widgets/colours.h"
 #include "gui/widgets/command.h"
-#include "gui/widgets/hint.h"
+#include "gui/widgets/elided_label.h"
 #include "gui/widgets/note_bar.h"
 #include "gui/widgets/task_widgets.h"
 #include "ui_main_window.h"
@@ -63,8 +65,16 @@ MainWindow::MainWindow(QWidget* parent)
   m_files = new FileCommands(m_ui->fileMenu, m_model, this);
   m_home = new HomePage;
   m_ui->centralLayout->addWidget(m_home);
-  m_scene =
-      new SceneController(m_ui->sceneMenu, m_ui->sceneWidget, m_ui->sceneReadout, m_model, this);
+  auto* readout = new ElidedLabel;
+  readout->setObjectName("sceneReadout");
+  readout->setToolTip(tr(
+      "What is picked in the scene or the simulated view, or how much of the panel's area lights "
+      "the current state's eye. The report's \"Seen\" is another figure: the share of the "
+      "picture's pixels that see the panel"));
+  m_guide = new Guide(m_model);
+  m_ui->statusBar->addPermanentWidget(m_guide);
+  m_ui->statusBar->addPermanentWidget(readout);
+  m_scene = new SceneController(m_ui->sceneMenu, m_ui->sceneWidget, readout, m_model, this);
   m_imageCommands = new ImageCommands(m_ui->pictureMenu, m_ui->pictureView, m_ui->pictureLayout,
                                       m_ui->statusBar, m_model, this);
   m_stateBox->setObjectName("stateBox");
@@ -148,12 +158,6 @@ void MainWindow::fillToolBar() {
   bar->addWidget(m_stateBox);
   add("nextStateAction", "next");
   bar->addSeparator();
-  add("singleAction", "one");
-  add("sideBySideAction", "both");
-  add("wipeAction", "wipe");
-  add("blinkAction", "blink");
-  add("differenceAction", "error_map");
-  bar->addSeparator();
   add("compareIdealAction", "ideal");
   add("maskAction", "mask");
   add("histogramAction", "histogram");
@@ -230,6 +234,7 @@ void MainWindow::connectDocks() {
   connect(m_ui->cameraSetView, &CameraSetWidget::previewChanged, m_scene,
           &SceneController::showPreview);
   connect(m_ui->pictureView, &ImageWidget::pixelPicked, m_scene, &SceneController::showPixel);
+  connect(m_ui->pictureView, &ImageWidget::pixelPicked, m_guide, &Guide::pixelPicked);
   connect(m_scene, &SceneController::pixelsMarked, m_ui->pictureView, &ImageWidget::markPixels);
   m_ui->inspector->follow(m_scene, m_ui->pictureView);
   for (const PlotSaver* saver : findChildren<PlotSaver*>()) {
@@ -263,8 +268,6 @@ void MainWindow::connectMeasuring() {
             Session session = m_model->session();
             session.display = opened;
             m_imageCommands->compareWithDesign(tr("A, as opened"), session);
-            findChild<QAction*>("wipeAction")->setChecked(true);
-            m_ui->pictureView->setMode(ImageWidget::Mode::wipe);
           });
 }
 
@@ -314,11 +317,13 @@ void MainWindow::connectLoader() {
     m_messages->showMessage(line);
   });
   connect(m_loader, &ContentLoader::failed, this, &MainWindow::showFailure);
-  addSwitch(m_ui->pictureMenu,
-            {"asBuiltAction", tr("As &built"),
-             tr("On: the unit that the session's twin describes. Off: the display as designed"),
-             Qt::Key_Y},
-            true, m_loader, &ContentLoader::showTwin);
+  QAction* asBuilt =
+      addSwitch(m_ui->pictureMenu,
+                {"asBuiltAction", tr("As &built"),
+                 tr("On: the unit that the session's twin describes. Off: the display as designed"),
+                 Qt::Key_Y},
+                true, m_loader, &ContentLoader::showTwin);
+  m_ui->pictureMenu->insertAction(findChild<QAction*>("fitViewAction"), asBuilt);
   m_ui->tradeoffView->setViews([this] { return views(); });
 }
 
@@ -329,8 +334,6 @@ void MainWindow::render() {
 }
 
 void MainWindow::showView(const RenderedView& view) {
-  if (std::exchange(m_offersHints, false))
-    for (Hint* hint : findChildren<Hint*>()) hint->offer();
   m_imageCommands->show(view);
   const bool isFull = view.scale == 1 && !view.isOverview && view.samples == 0;
   if (isFull) m_files->keepThumbnail(view.image);
@@ -392,11 +395,14 @@ void MainWindow::addHelpers() {
   auto* sceneOutput = new SceneOutput(m_ui->sceneMenu, m_ui->statusBar, m_scene, m_model, this);
   connect(sceneOutput, &SceneOutput::done, m_messages, &Messages::showMessage);
   connect(sceneOutput, &SceneOutput::failed, m_messages, &Messages::showError);
+  m_lightFieldOutput = new LightFieldOutput(m_ui->fileMenu, m_ui->statusBar, m_model, this);
+  connect(m_lightFieldOutput, &LightFieldOutput::done, m_messages, &Messages::showMessage);
+  connect(m_lightFieldOutput, &LightFieldOutput::failed, m_messages, &Messages::showError);
+  m_ui->fileMenu->addSeparator();
+  addCommand(m_ui->fileMenu,
+             {"quitAction", tr("&Quit"), tr("Closes the window"), Qt::CTRL | Qt::Key_Q}, this,
+             &QWidget::close);
   addHelp(m_ui->helpMenu, this);
-  new Hint("sceneHint", tr("Drag the orange eye · an arrow moves it along one axis"),
-           m_ui->sceneWidget);
-  new Hint("viewHint", tr("Click a pixel: why is it like this? · double click: only this view"),
-           m_ui->pictureView);
   m_layout = new WindowLayout(
       this, m_ui->viewMenu,
       {m_home, m_ui->pictureArea, m_ui->sceneDock, m_ui->statesDock, m_ui->propertiesDock,
@@ -482,7 +488,8 @@ void MainWindow::showStates() {
 void MainWindow::showSession() {
   m_layout->leaveHome();
   m_method.reset();
-  m_isNew = m_offersHints = true;
+  m_isNew = true;
+  m_guide->offer();
   m_ui->tradeoffView->forgetChoice();
   m_imageCommands->drop({});
   m_loader->load();
@@ -503,6 +510,7 @@ void MainWindow::showScene() {
   m_ui->measureView->setSource(source);
   m_scene->setSource(source);
   m_imageCommands->setSource(source);
+  m_lightFieldOutput->setSize(source ? std::optional(source->lightField->size()) : std::nullopt);
   m_ui->reportPanel->setReference(source);
   forgetMeasurement();
   if (source) showCurrent();

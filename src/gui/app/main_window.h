@@ -22,7 +22,9 @@ namespace hogelscope {
 class CameraPlayer;
 class ContentLoader;
 class FileCommands;
+class Guide;
 class HomePage;
+class LightFieldOutput;
 class Messages;
 class ImageCommands;
 class Properties;
@@ -79,11 +81,13 @@ class MainWindow : public QMainWindow {
   Messages* m_messages = nullptr;
   HomePage* m_home = nullptr;
   FileCommands* m_files = nullptr;
+  LightFieldOutput* m_lightFieldOutput = nullptr;
   WindowLayout* m_layout = nullptr;
   ReadingBar *m_readingBar = nullptr, *m_lookingBar = nullptr;
   QString m_noticeBefore;
   QString m_lookingLine;  ///< on the picture while a light field is looked at
   QComboBox* m_stateBox;
+  Guide* m_guide = nullptr;
   QMenu *m_colours, *m_textSizes;
   SceneController* m_scene;
   ImageCommands* m_imageCommands = nullptr;
@@ -91,7 +95,6 @@ class MainWindow : public QMainWindow {
   Properties* m_properties = nullptr;
   PictureRate m_rate;
   bool m_isNew = false;                 ///< the session is new, so the scene has to be fitted to it
-  bool m_offersHints = false;           ///< its first picture has not been shown
   std::optional<NamedMethod> m_method;  ///< of the live view; none: the session's own
 };
 

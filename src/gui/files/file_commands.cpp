@@ -193,9 +193,6 @@ void FileCommands::addCommands(QMenu* menu) {
                      "camera's file: OpenCV, ROS, Kalibr, transforms.json, COLMAP or glTF"),
                   Qt::CTRL | Qt::Key_I},
                  &FileCommands::askImport);
-  menu->addSeparator();
-  addCommand(menu, {"quitAction", tr("&Quit"), tr("Closes the window"), Qt::CTRL | Qt::Key_Q},
-             m_window, &QWidget::close);
 }
 
 void FileCommands::setOpen(bool isOpen) {

@@ -585,13 +585,9 @@ void SceneController::showText() {
   m_forget->setEnabled(measures || !m_pickText.isEmpty());
   Q_EMIT pickChanged();
   if (m_model->session().cameras.empty()) return m_readout->clear();
-  const QString hint = m_display.sheet
-                           ? tr("Click a frustum, or a pixel of the simulated view.")
-                           : tr("Click a frustum, a hogel, or a pixel of the simulated view.");
-  m_readout->setText(SceneText::eye(m_model->current(), m_display) + '\n' +
-                     (measures               ? SceneText::measured(m_scene->measured())
-                      : m_pickText.isEmpty() ? hint
-                                             : m_pickText));
+  m_readout->setText(measures               ? SceneText::measured(m_scene->measured())
+                     : m_pickText.isEmpty() ? SceneText::eye(m_model->current(), m_display)
+                                            : m_pickText);
 }
 
 }  // namespace hogelscope

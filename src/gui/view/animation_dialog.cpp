@@ -11,6 +11,7 @@
 #include <QPushButton>
 #include <QSpinBox>
 #include <algorithm>
+#include <array>
 
 #include "gui/session/session_forms.h"
 #include "io/scene/animation.h"
@@ -33,14 +34,17 @@ AnimationDialog::AnimationDialog(const Session& session, std::size_t current, co
     field->setObjectName(name);
     field->setToolTip(help);
   };
-  describe(m_path, "pathBox", tr("The way of the camera; a turn goes through the display's angle"));
-  describe(m_count, "countBox", tr("Of the turn, or between each two states"));
+  describe(
+      m_path, "pathBox",
+      tr("The way of the camera; a turn goes through the display's angle, a focus stack through "
+         "the depths that it shows sharply, in even steps of dioptres"));
+  describe(m_count, "countBox", tr("Of the turn or the stack, or between each two states"));
   describe(m_video, "videoBox", tr("Beside the numbered pictures, made by the program ffmpeg"));
   describe(m_rate, "rateBox", tr("How many pictures the video shows in a second"));
   describe(m_folder, "folderField", tr("A folder without frames; it is made if it is missing"));
   m_problem->setObjectName("problemLabel");
   m_path->addItems({tr("Through the states"), tr("Orbit around the look-at"),
-                    tr("Turntable, around the display")});
+                    tr("Turntable, around the display"), tr("Focus stack, from near to far")});
   m_count->setMaximum(9999);
   m_rate->setRange(1, 120);
   m_rate->setSuffix(tr(" per second"));
@@ -70,17 +74,23 @@ AnimationDialog::AnimationDialog(const Session& session, std::size_t current, co
 
 /// Proposes numbers that suit the path.
 void AnimationDialog::showPath() {
-  const bool isTurn = path().kind != PathKind::between;
-  m_count->setMinimum(isTurn ? 1 : 0);
-  m_count->setValue(isTurn ? 120 : 0);
-  m_count->setSuffix(isTurn ? QString() : tr(" between two states"));
-  m_rate->setValue(isTurn ? 30 : 10);
+  struct Usual {
+    int least, count, rate;
+  };
+  const Usual turn{1, 120, 30};
+  const auto [least, count, rate] =
+      std::array{Usual{0, 0, 10}, turn, turn, Usual{2, 9, 4}}[std::size_t(path().kind)];
+  m_count->setMinimum(least);
+  m_count->setValue(count);
+  m_count->setSuffix(path().kind == PathKind::between ? tr(" between two states") : QString());
+  m_rate->setValue(rate);
   showProblem();
 }
 
 void AnimationDialog::showProblem() {
   CameraPath shortPath = path();
-  shortPath.count = std::min(1, shortPath.count);  // has all sizes that the path has
+  // Has all sizes that the path has.
+  shortPath.count = std::min(shortPath.kind == PathKind::focus ? 2 : 1, shortPath.count);
   QString problem;
   try {
     const std::vector<CameraState> states = statesAlong(shortPath, m_session, m_current);

@@ -53,12 +53,16 @@ void Comparison::set(const Other& other) {
 }
 
 void Comparison::startIdeal() {
-  set({.name = tr("Ideal view"), .isIdeal = true});
+  set({.name = tr("Ideal view"), .follows = Follows::ideal});
 }
 
-void Comparison::startKept() {
+void Comparison::startDesigned() {
+  set({.name = tr("As designed"), .follows = Follows::design});
+}
+
+void Comparison::startKept(const QString& name) {
   if (!m_own) return;  // it is being read
-  set({.name = tr("Display before"), .source = m_own, .hasOwnDisplay = true});
+  set({.name = name, .source = m_own, .hasOwnDisplay = true});
 }
 
 void Comparison::stop() {
@@ -67,12 +71,16 @@ void Comparison::stop() {
 
 std::optional<ViewSource> Comparison::other(const Session& session) const {
   std::optional<ViewSource> source = m_other.source;
-  if (m_other.isIdeal && session.lightField.isLive()) {
-    source = m_own;
-    if (source) source->isIdeal = true;
+  const bool isFollowed = m_other.follows == Follows::ideal
+                              ? session.lightField.isLive()
+                              : isDesigned() && !session.twin.isZero();
+  if (isFollowed) source = m_own;
+  if (!source) return source;
+  if (isFollowed) {
+    source->isIdeal = m_other.follows == Follows::ideal;
+    if (isDesigned()) source->twin = nullptr;
     return source;
   }
-  if (!source) return source;
   source->sampling = session.sampling;
   if (m_other.hasOwnDisplay) return source;
   source->twin = m_own ? m_own->twin : nullptr;

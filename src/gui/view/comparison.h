@@ -29,8 +29,10 @@ class Comparison : public QObject {
   /// Compares with the ideal view of the session's own light field while that is live.
   void startIdeal();
   /// Compares with the session's own light field on its display as it is now, if that has been
-  /// read. It is kept, also if its file is read again.
-  void startKept();
+  /// read. It is kept under a name, also if its file is read again.
+  void startKept(const QString& name);
+  /// Compares the unit of the session's twin with the display as designed.
+  void startDesigned();
   void stop();
   /// Sets the session's own light field; none while it is read.
   void setSource(const std::optional<ViewSource>& own) { m_own = own; }
@@ -42,6 +44,7 @@ class Comparison : public QObject {
   [[nodiscard]] const QString& name() const { return m_other.name; }
   /// The file that is compared or being read; "" if there is none.
   [[nodiscard]] const QString& file() const { return m_file; }
+  [[nodiscard]] bool isDesigned() const { return m_other.follows == Follows::design; }
   [[nodiscard]] bool isReading() const { return m_task.isRunning(); }
   /// Returns the share that has been read, 0 … 1; polled by PolledBar.
   [[nodiscard]] double readShare() const { return m_task.share(); }
@@ -52,11 +55,13 @@ class Comparison : public QObject {
   void failed(const QString& line);
 
  private:
+  /// Whether it is made of the session's own light field, and as what.
+  enum class Follows { nothing, ideal, design };
   /// The second light field; empty: none.
   struct Other {
     QString name;
-    std::optional<ViewSource> source = {};  ///< none if `isIdeal`: follows the session's own
-    bool isIdeal = false;
+    std::optional<ViewSource> source = {};  ///< none if it follows
+    Follows follows = Follows::nothing;
     bool hasOwnDisplay = false;
   };
   void read(Other other, const Session& session);

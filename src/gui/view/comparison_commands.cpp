@@ -17,28 +17,52 @@ namespace hogelscope {
 
 namespace {
 
-/// Two parts beside each other, or below each other where the first one would be folded.
-class FoldingBar : public QWidget {
- public:
-  FoldingBar() : m_parts(new QBoxLayout(QBoxLayout::LeftToRight, this)) {
-    m_parts->setContentsMargins(scaled(8), scaled(4), scaled(4), scaled(4));
-    m_parts->setSpacing(0);
-  }
+QToolButton* buttonOf(QAction* action, Qt::ToolButtonStyle style) {
+  auto* button = new QToolButton;
+  button->setFocusPolicy(Qt::NoFocus);  // keys stay with the image
+  button->setDefaultAction(action);
+  button->setToolButtonStyle(style);
+  button->setPopupMode(QToolButton::InstantPopup);
+  return button;
+}
 
-  void add(QWidget* first, QWidget* second) {
-    m_parts->addWidget(first, 1);
-    m_parts->addWidget(second);
+/// Buttons for the modes and tools, above a line of figures. The modes have words where there is
+/// room for them; the tools fold below them where there is none.
+class ComparisonBar : public QWidget {
+ public:
+  ComparisonBar(const QList<QAction*>& modes, QLayout* tools, QWidget* figures)
+      : m_row(new QBoxLayout(QBoxLayout::LeftToRight)) {
+    auto* buttons = new QHBoxLayout;
+    buttons->setSpacing(0);
+    for (QAction* mode : modes) {
+      m_modes << buttonOf(mode, Qt::ToolButtonTextBesideIcon);
+      m_modes.back()->setIconSize({scaled(16), scaled(16)});
+      buttons->addWidget(m_modes.back());
+    }
+    buttons->addStretch();
+    m_row->setSpacing(0);
+    m_row->addLayout(buttons, 1);
+    m_row->addLayout(tools);
+    auto* all = new QVBoxLayout(this);
+    all->setContentsMargins(scaled(8), scaled(4), scaled(4), scaled(4));
+    all->setSpacing(scaled(4));
+    all->addLayout(m_row);
+    all->addWidget(figures);
   }
 
  protected:
   void resizeEvent(QResizeEvent*) override {
-    constexpr int wide = 700;
-    m_parts->setDirection(width() < scaled(wide) ? QBoxLayout::TopToBottom
+    constexpr int wide = 900, narrow = 540;
+    m_row->setDirection(width() < scaled(narrow) ? QBoxLayout::TopToBottom
                                                  : QBoxLayout::LeftToRight);
+    for (QToolButton* mode : m_modes)
+      mode->setToolButtonStyle(width() < scaled(wide) ? Qt::ToolButtonIconOnly
+                                                      : Qt::ToolButtonTextBesideIcon);
   }
 
  private:
-  QBoxLayout* m_parts;
+  QBoxLayout* m_row;
+  QList<QToolButton*> m_modes;
 };
 
 }  // namespace
@@ -50,9 +74,9 @@ ComparisonCommands::ComparisonCommands(QMenu* menu, ImageWidget* view, QVBoxLayo
       m_view(view),
       m_modes(new QActionGroup(this)),
       m_kinds(new QActionGroup(this)),
-      m_bar(new FoldingBar),
       m_buttons(new QHBoxLayout),
       m_figures(new QLabel),
+      m_gain(new QLabel),
       m_histogram(new HistogramWidget),
       m_meter(new ComparisonMeter(this)) {
   addModes();
@@ -82,11 +106,11 @@ void ComparisonCommands::addModes() {
        Qt::CTRL | Qt::Key_2, tr("Both")},
       Mode::sideBySide)
       ->setChecked(true);
-  add({"wipeAction", tr("&Wipe"),
-       tr("One picture left of a line, the other right of it; drag the line, or Shift+Left and "
-          "Shift+Right"),
-       Qt::CTRL | Qt::Key_3, tr("Wipe")},
-      Mode::wipe);
+  m_wipe = add({"wipeAction", tr("&Wipe"),
+                tr("One picture left of a line, the other right of it; drag the line, or "
+                   "Shift+Left and Shift+Right"),
+                Qt::CTRL | Qt::Key_3, tr("Wipe")},
+               Mode::wipe);
   add({"blinkAction", tr("Bl&ink"),
        tr("The two pictures take turns, twice a second; Space: by hand"), Qt::CTRL | Qt::Key_7,
        tr("Blink")},
@@ -96,10 +120,18 @@ void ComparisonCommands::addModes() {
                          "Shift+Up and Shift+Down change the gain"),
                       Qt::CTRL | Qt::Key_4, tr("Error")},
                      Mode::difference);
-  const std::array names{"one", "both", "wipe", "blink", "error_map"};
+  add({"wipeAndErrorAction", tr("Wipe &and error"),
+       tr("The two pictures with the wipe's line between them, and the error map beside them"),
+       Qt::CTRL | Qt::Key_8},
+      Mode::wipeAndError);
+  const std::array names{"one", "both", "wipe", "blink", "error_map", "wipe_and_error"};
   for (std::size_t k = 0; k < names.size(); ++k)
     m_modes->actions()[qsizetype(k)]->setIcon(icon(names[k]));
   m_menu->addSeparator();
+}
+
+void ComparisonCommands::wipe() {
+  m_wipe->trigger();
 }
 
 void ComparisonCommands::addErrorMaps() {
@@ -158,8 +190,15 @@ void ComparisonCommands::addTone() {
 }
 
 void ComparisonCommands::showErrorMap() {
-  m_view->setErrorMap(ErrorKind(m_kinds->checkedAction()->data().toInt()),
-                      m_falseColour->isChecked());
+  const QAction* kind = m_kinds->checkedAction();
+  m_errorMenu->menuAction()->setIconText(kind->text().remove('&'));
+  m_falseColour->setIconText(m_falseColour->isChecked() ? tr("Mean, viridis") : tr("Channels"));
+  m_view->setErrorMap(ErrorKind(kind->data().toInt()), m_falseColour->isChecked());
+}
+
+void ComparisonCommands::showTone() {
+  const QString tone = m_view->toneText();
+  m_gain->setText(tone.isEmpty() ? tr("× 1") : tone);
 }
 
 void ComparisonCommands::addHistogram(QVBoxLayout* around) {
@@ -175,7 +214,7 @@ void ComparisonCommands::addHistogram(QVBoxLayout* around) {
   connect(m_showHistogram, &QAction::toggled, this, &ComparisonCommands::measure);
 }
 
-/// Fills the bar with the figures, and the commands of the error map and of the gain.
+/// Fills the bar with the modes, the state and the commands of error map and gain, and the figures.
 void ComparisonCommands::addBar(QVBoxLayout* around) {
   const auto own = [this](const char* name, const QString& word) {
     auto* action = m_view->findChild<QAction*>(name);
@@ -188,30 +227,29 @@ void ComparisonCommands::addBar(QVBoxLayout* around) {
   m_figures->setToolTip(
       tr("The report's metrics of the 8-bit pictures that are shown; Shift and a drag over the "
          "picture mark a rectangle, whose figures are shown too"));
-  m_bar->setObjectName("comparisonBar");
-  auto* buttons = new QWidget;
-  buttons->setLayout(m_buttons);
-  m_buttons->setContentsMargins(0, 0, 0, 0);
   m_buttons->setSpacing(0);
-  static_cast<FoldingBar*>(m_bar)->add(m_figures, buttons);
+  m_bar = new ComparisonBar(m_modes->actions(), m_buttons, m_figures);
+  m_bar->setObjectName("comparisonBar");
   QAction* map = m_errorMenu->menuAction();
-  map->setIconText(tr("Error map"));
   map->setToolTip(tr("Which error of the other picture is shown"));
-  for (QAction* action :
-       {map, m_falseColour, own("lessGainAction", tr("÷2")), own("moreGainAction", tr("×2"))})
-    addToBar(action);
+  addToBar(map);
+  addToBar(m_falseColour);
+  addToBar(own("lessGainAction", tr("−")));
+  m_gain->setObjectName("gainText");
+  m_gain->setToolTip(tr("Gain and gamma of what is shown"));
+  m_gain->setMinimumWidth(m_gain->fontMetrics().horizontalAdvance(tr("× 128")));
+  m_gain->setAlignment(Qt::AlignCenter);
+  m_buttons->addWidget(m_gain);
+  addToBar(own("moreGainAction", tr("+")));
+  connect(m_view, &ImageWidget::toneChanged, this, &ComparisonCommands::showTone);
+  showTone();
   m_bar->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Maximum);  // no wider than the image
   around->insertWidget(around->indexOf(m_view), m_bar);
   around->setStretchFactor(m_view, 1);
 }
 
 void ComparisonCommands::addToBar(QAction* action) {
-  auto* button = new QToolButton;
-  button->setFocusPolicy(Qt::NoFocus);  // keys stay with the image
-  button->setDefaultAction(action);
-  button->setToolButtonStyle(Qt::ToolButtonTextOnly);
-  button->setPopupMode(QToolButton::InstantPopup);
-  m_buttons->addWidget(button);
+  m_buttons->addWidget(buttonOf(action, Qt::ToolButtonTextOnly));
 }
 
 void ComparisonCommands::setComparing(bool isComparing) {

@@ -27,6 +27,8 @@ class ComparisonCommands : public QObject {
 
   /// Adds a button for another command to the end of the bar.
   void addToBar(QAction* action);
+  /// Shows both pictures with a line between them.
+  void wipe();
   /// Sets whether there is an image to compare with.
   void setComparing(bool isComparing);
   /// Measures the current images.
@@ -39,18 +41,20 @@ class ComparisonCommands : public QObject {
   void addHistogram(QVBoxLayout* around);
   void addBar(QVBoxLayout* around);
   void showErrorMap();
+  void showTone();
 
   QMenu* m_menu;
   ImageWidget* m_view;
   QActionGroup* m_modes;
   QActionGroup* m_kinds;
   QMenu* m_errorMenu = nullptr;
-  QAction* m_difference = nullptr;
+  QAction *m_wipe = nullptr, *m_difference = nullptr;
   QAction* m_falseColour = nullptr;
   QAction* m_showHistogram = nullptr;
-  QWidget* m_bar;
+  QWidget* m_bar = nullptr;
   QHBoxLayout* m_buttons;  ///< in it
   QLabel* m_figures;
+  QLabel* m_gain;
   HistogramWidget* m_histogram;
   ComparisonMeter* m_meter;
 };

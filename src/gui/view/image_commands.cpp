@@ -12,6 +12,7 @@
 #include "core/base/error.h"
 #include "core/base/parallel.h"
 #include "core/metrics/metric.h"
+#include "gui/session/library_menu.h"
 #include "gui/session/session_model.h"
 #include "gui/view/comparison_commands.h"
 #include "gui/view/view_output.h"
@@ -89,7 +90,20 @@ void ImageCommands::addCommands(QMenu* menu, QVBoxLayout* around, QStatusBar* st
       {"compareKeptAction", tr("Keep this &display and compare"),
        tr("Keeps the display as it is now, and shows it beside the one that you edit"),
        Qt::CTRL | Qt::SHIFT | Qt::Key_K},
-      m_comparison, &Comparison::startKept);
+      this, [this] { m_comparison->startKept(tr("Display before")); });
+  m_compareDesigned =
+      addCommand(menu,
+                 {"compareDesignedAction", tr("Compare &as built with as designed"),
+                  tr("Shows the unit of the session's twin beside the display without its errors"),
+                  Qt::CTRL | Qt::SHIFT | Qt::Key_Y},
+                 this, [this] {
+                   parent()->findChild<QAction*>("asBuiltAction")->setChecked(true);
+                   m_comparison->startDesigned();
+                 });
+  m_library = menu->addMenu(tr("See this content &on"));
+  auto* library = new LibraryMenu(m_library, this);
+  connect(library, &LibraryMenu::chosen, this, &ImageCommands::seeOn);
+  connect(library, &LibraryMenu::failed, this, &ImageCommands::failed);
   m_stop = addCommand(menu,
                       {"stopComparingAction", tr("&Stop comparing"),
                        tr("Frees the other light field"), Qt::CTRL | Qt::SHIFT | Qt::Key_L},
@@ -220,7 +234,7 @@ void ImageCommands::remark(const RenderedView& view) {
   if (isBlack(view.seen))
     return m_view->setRemark(tr("No pixel sees the panel."),
                              cures({"lookAtPanelAction", "maskAction"}));
-  const int lightest = m_view->lightest();
+  const int lightest = m_view->lightest(dark);
   const bool isDark = lightest > 0 && lightest < dark && m_view->toneText().isEmpty();
   m_view->setRemark(isDark
                         ? tr("The picture is dark: its lightest pixel has %1 of 255.").arg(lightest)
@@ -261,10 +275,20 @@ void ImageCommands::showComparison() {
   m_figure->setEnabled(isRight() && other() && !m_view->otherImage().isNull());
   for (QAction* action : m_ofAnyImage) action->setEnabled(hasImage);
   for (QAction* action : m_ofRightImage) action->setEnabled(isRight());
-  m_compareIdeal->setEnabled(hasImage && m_model->session().lightField.isLive());
-  const QString own = QString::fromStdString(contentName(m_model->session().lightField));
-  m_view->setTitles(m_comparison->file().isEmpty() ? tr("Display") : QFileInfo(own).fileName(),
-                    m_comparison->name());
+  const bool isLive = m_model->session().lightField.isLive();
+  m_compareIdeal->setEnabled(hasImage && isLive);
+  for (QAction* action : m_library->actions()) action->setEnabled(hasImage && isLive);
+  m_compareDesigned->setEnabled(hasImage && !m_model->session().twin.isZero());
+  m_view->setTitles(ownName(), m_comparison->name());
+}
+
+/// Returns what the session's own picture is called beside the other one.
+QString ImageCommands::ownName() const {
+  const Session& session = m_model->session();
+  if (!m_comparison->file().isEmpty())
+    return QFileInfo(QString::fromStdString(contentName(session.lightField))).fileName();
+  if (m_comparison->isDesigned()) return tr("As built");
+  return session.display == m_named.second ? m_named.first : tr("Display");
 }
 
 void ImageCommands::stopComparing() {
@@ -290,6 +314,21 @@ bool ImageCommands::compareWith(const QString& file) {
 void ImageCommands::compareWithDesign(const QString& name, const Session& session) {
   m_comparison->startDesign(name, session);
   showComparison();
+  m_comparing->wipe();
+}
+
+void ImageCommands::seeOn(const QString& name, const DisplayParams& display) {
+  const bool isNamed = m_model->session().display == m_named.second;
+  m_comparison->startKept(isNamed ? m_named.first : tr("Display before"));
+  m_comparing->wipe();
+  m_model->edit(tr("See on %1").arg(name), [&](Session& session) {
+    DisplayParams placed = display;
+    placed.position = session.display.position;
+    placed.orientation = session.display.orientation;
+    m_named = {name, placed};
+    session.display = placed;
+    session.twin = {};  // errors of a unit of the display before
+  });
 }
 
 /// Writes a picture of the current state with `write`.

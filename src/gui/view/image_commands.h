@@ -45,7 +45,9 @@ class ImageCommands : public QObject {
   void drop(const QString& why);
   /// Starts reading. Errors are reported through failed(), now or later.
   bool compareWith(const QString& file);
-  /// Compares with another design: a session with a display of its own.
+  /// Shows the session's live content on another display, beside the one that it was on: one edit.
+  void seeOn(const QString& name, const DisplayParams& display);
+  /// Compares with another design, a session with a display of its own, by a wipe.
   void compareWithDesign(const QString& name, const Session& session);
   /// Saves the image as shown, unless it is outdated. The extension gives the format.
   bool saveImage(const QString& file);
@@ -77,11 +79,15 @@ class ImageCommands : public QObject {
   void remark(const RenderedView& view);
   [[nodiscard]] CameraState shownState() const;
   void askFigure();
+  [[nodiscard]] QString ownName() const;
   template <class Write>
   bool save(const QString& file, const Write& write);
 
   QList<QAction*> m_ofAnyImage, m_ofRightImage;  ///< need an image; one that is up to date
-  QAction *m_compareIdeal = nullptr, *m_stop = nullptr, *m_mask = nullptr, *m_figure = nullptr;
+  QAction *m_compareIdeal = nullptr, *m_compareDesigned = nullptr, *m_stop = nullptr,
+          *m_mask = nullptr, *m_figure = nullptr;
+  QMenu* m_library = nullptr;
+  std::pair<QString, DisplayParams> m_named;  ///< the display that was chosen last, and its name
   QActionGroup* m_eyes;
   QStringList m_coarse;  ///< what makes the picture that is shown another one than the exact one
   ImageWidget* m_view;

@@ -105,7 +105,9 @@ void ImageWidget::addCommands() {
 /// Shows only the actions of the current mode.
 void ImageWidget::showActions() {
   for (QAction* action : actions())
-    if (action->data().isValid()) action->setVisible(action->data().toInt() == int(shownMode()));
+    if (action->data().isValid())
+      action->setVisible(action->data().toInt() == int(Mode::wipe) ? hasWipe()
+                                                                   : shownMode() == Mode::blink);
 }
 
 void ImageWidget::setImages(const QImage& image, const QImage& other) {
@@ -201,20 +203,20 @@ void ImageWidget::showMask(bool isShown) {
 }
 
 const Tone& ImageWidget::shownTone() const {
-  return shownMode() == Mode::difference ? m_error.tone : m_tone;
+  return hasError() ? m_error.tone : m_tone;
 }
 
 void ImageWidget::setTone(const Tone& tone) {
-  const bool isError = shownMode() == Mode::difference;
-  const Tone next{std::clamp(tone.gain, isError ? 1.0 : 1.0 / 16, 128.0),
+  const Tone next{std::clamp(tone.gain, hasError() ? 1.0 : 1.0 / 16, 128.0),
                   std::clamp(tone.gamma, 0.2, 5.0)};
-  if (isError) {
+  if (hasError()) {
     m_error.tone = next;
     m_map.reset();
     return updateDifference();
   }
   m_tone = next;
   updateTones();
+  Q_EMIT toneChanged();
 }
 
 void ImageWidget::setGamma(double gamma) {
@@ -254,7 +256,7 @@ void ImageWidget::updateTones() {
 }
 
 void ImageWidget::updateDifference() {
-  const bool isShown = shownMode() == Mode::difference;
+  const bool isShown = hasError();
   if (isShown && !m_map) m_map = std::make_shared<const ErrorMap>(m_error);
   constexpr double large = 1e6;  // pixels; smaller maps take a few milliseconds
   m_isMapOld = isShown && double(image().width()) * image().height() > large;
@@ -267,6 +269,7 @@ void ImageWidget::updateDifference() {
   if (m_isMapOld && !m_mapping->isRunning()) startMap();
   showActions();
   update();
+  Q_EMIT toneChanged();
 }
 
 void ImageWidget::startMap() {
@@ -303,6 +306,18 @@ ImageWidget::Mode ImageWidget::shownMode() const {
   return otherImage().isNull() ? Mode::single : m_mode;
 }
 
+bool ImageWidget::hasTwoPanes() const {
+  return shownMode() == Mode::sideBySide || shownMode() == Mode::wipeAndError;
+}
+
+bool ImageWidget::hasWipe() const {
+  return shownMode() == Mode::wipe || shownMode() == Mode::wipeAndError;
+}
+
+bool ImageWidget::hasError() const {
+  return shownMode() == Mode::difference || shownMode() == Mode::wipeAndError;
+}
+
 QRect ImageWidget::deviceRect() const {
   return {QPoint(0, 0), (QSizeF(size()) * devicePixelRatioF()).toSize()};
 }
@@ -311,10 +326,10 @@ QPointF ImageWidget::inDevice(const QPointF& position) const {
   return position * devicePixelRatioF();
 }
 
-/// Returns the pane at a position. Side by side has two panes of equal size with a gap.
+/// Returns the pane at a position. Two panes have equal sizes and a gap between them.
 QRect ImageWidget::paneAt(const QPointF& device) const {
   QRect pane = deviceRect();
-  if (shownMode() != Mode::sideBySide) return pane;
+  if (!hasTwoPanes()) return pane;
   constexpr int gap = 2;
   const int width = (pane.width() - gap) / 2;
   const bool isRight = device.x() >= width + gap / 2.0;
@@ -334,12 +349,12 @@ std::optional<QPoint> ImageWidget::pixelAt(const QPointF& position) const {
 }
 
 int ImageWidget::wipeColumn() const {
-  return int(std::round(m_wipe * deviceRect().width()));
+  return int(std::round(m_wipe * paneAt({}).width()));
 }
 
 bool ImageWidget::isOnLine(const QPointF& position) const {
   constexpr double reach = 6;
-  return shownMode() == Mode::wipe && std::abs(position.x() - m_wipe * width()) <= reach;
+  return hasWipe() && std::abs(position.x() - wipeColumn() / devicePixelRatioF()) <= reach;
 }
 
 void ImageWidget::zoomBy(int steps, const QPointF& device) {
@@ -364,7 +379,7 @@ void ImageWidget::pan(int x, int y) {
 }
 
 void ImageWidget::resetTone() {
-  setTone(shownMode() == Mode::difference ? ErrorMap::Params().tone : Tone());
+  setTone(hasError() ? ErrorMap::Params().tone : Tone());
 }
 
 /// Swaps the blinking images by hand.
@@ -411,7 +426,7 @@ void ImageWidget::mouseMoveEvent(QMouseEvent* event) {
   m_pointer = position;
   const bool isFar = (position - m_pressed).manhattanLength() >= QApplication::startDragDistance();
   if (m_drag == Drag::press && isFar) m_drag = Drag::pan;
-  if (m_drag == Drag::wipe) setWipe(position.x() / width());
+  if (m_drag == Drag::wipe) setWipe(inDevice(position).x() / paneAt({}).width());
   if (m_drag == Drag::region && isFar) setRegion(regionTo(position));
   Q_EMIT pointed(pixelAt(position).value_or(QPoint(-1, -1)));
   if (m_drag == Drag::pan && !image().isNull())
@@ -449,10 +464,10 @@ void ImageWidget::changeEvent(QEvent* event) {
   QWidget::changeEvent(event);
 }
 
-int ImageWidget::lightest() const {
+int ImageWidget::lightest(int enough) const {
   int most = 0;
-  for (int y = 0; y < image().height(); ++y)
-    for (int x = 0; x < image().width(); ++x) {
+  for (int y = 0; y < image().height() && most < enough; ++y)
+    for (int x = 0; x < image().width() && most < enough; ++x) {
       const QRgb pixel = image().pixel(x, y);
       most = std::max({most, qRed(pixel), qGreen(pixel), qBlue(pixel)});
     }

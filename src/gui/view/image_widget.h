@@ -29,7 +29,8 @@ class ImageWidget : public QWidget {
   Q_OBJECT
 
  public:
-  enum class Mode { single, sideBySide, wipe, blink, difference };
+  /// difference: the map of the error; wipeAndError: both pictures left of it.
+  enum class Mode { single, sideBySide, wipe, blink, difference, wipeAndError };
 
   explicit ImageWidget(QWidget* parent = nullptr);
 
@@ -50,7 +51,7 @@ class ImageWidget : public QWidget {
   void setRemark(const QString& remark, const QList<QAction*>& cures = {});
   /// Sets the mode of the comparison. Mode::blink alternates twice a second.
   void setMode(Mode mode);
-  /// Sets the error map of Mode::difference.
+  /// Sets the error map of the modes that show it.
   void setErrorMap(ErrorKind kind, bool hasFalseColour);
   void showMask(bool isShown);
   /// Sets a text in the upper right corner of the image; empty: none.
@@ -79,8 +80,8 @@ class ImageWidget : public QWidget {
   [[nodiscard]] const QString& notice() const { return m_notice; }
   [[nodiscard]] const QString& remark() const { return m_remark; }
   [[nodiscard]] const QString& tag() const { return m_tag; }
-  /// Returns the largest code value of the first image.
-  [[nodiscard]] int lightest() const;
+  /// Returns the largest code value of the first image, or one of at least `enough` if it has one.
+  [[nodiscard]] int lightest(int enough = 255) const;
   [[nodiscard]] const QImage& otherImage() const { return m_images[1].image; }
   [[nodiscard]] const QImage& seen() const { return m_images[0].seen; }
   [[nodiscard]] const QImage& otherSeen() const { return m_images[1].seen; }
@@ -103,6 +104,7 @@ class ImageWidget : public QWidget {
 
  Q_SIGNALS:
   void imagesChanged();
+  void toneChanged();  ///< gain or gamma of what is shown, or what is shown
   /// A click without dragging.
   void pixelPicked(int x, int y);
   /// The same with Ctrl held.
@@ -146,6 +148,9 @@ class ImageWidget : public QWidget {
   void removeRegion();
 
   [[nodiscard]] Mode shownMode() const;
+  [[nodiscard]] bool hasTwoPanes() const;
+  [[nodiscard]] bool hasWipe() const;
+  [[nodiscard]] bool hasError() const;
   [[nodiscard]] const Tone& shownTone() const;
   void setTone(const Tone& tone);
   [[nodiscard]] QRect deviceRect() const;
@@ -165,22 +170,25 @@ class ImageWidget : public QWidget {
 
   void paintImages(QPainter& painter) const;
   void paintOne(QPainter& painter, const QRect& pane, const QRect& clip, std::size_t which) const;
+  void paintBoth(QPainter& painter, const QRect& pane) const;
   void paintDifference(QPainter& painter, const QRect& pane) const;
   void paintOtherPointer(QPainter& painter) const;
   void paintMarks(QPainter& painter, const QRect& clip, const Placement& at) const;
   void paintTexts(QPainter& painter) const;
   void paintLegend(QPainter& painter, int right) const;
   [[nodiscard]] QString heading() const;
+  [[nodiscard]] QString errorHeading() const;
+  [[nodiscard]] QImage wipedImage() const;
   void paintNotice(QPainter& painter) const;
   [[nodiscard]] QRect noticeArea() const;
   void setCures(const QList<QAction*>& cures);
   void placeCures();
   void paintValues(QPainter& painter, const QRect& clip, const Placement& at,
-                   std::size_t which) const;
+                   std::optional<std::size_t> which) const;
 
   std::array<Shown, 2> m_images;
   ZoomableImage m_tint;
-  ZoomableImage m_difference;  ///< in Mode::difference only, as is the next
+  ZoomableImage m_difference;  ///< while an error is shown only, as is the next
   std::shared_ptr<const ErrorMap> m_map;
   Task* m_mapping;          ///< computes the difference of large images
   int m_wanted = 0;         ///< the number of the requested difference

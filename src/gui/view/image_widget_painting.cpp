@@ -71,7 +71,6 @@ void ImageWidget::paintImages(QPainter& painter) const {
   const QRect all = deviceRect();
   const QRect left = paneAt({});
   const QRect right = paneAt(all.bottomRight());
-  const int line = wipeColumn();
   switch (shownMode()) {
     case Mode::single:
       return paintOne(painter, all, all, 0);
@@ -81,12 +80,21 @@ void ImageWidget::paintImages(QPainter& painter) const {
       paintOne(painter, left, left, 0);
       return paintOne(painter, right, right, 1);
     case Mode::wipe:
-      paintOne(painter, all, {0, 0, line, all.height()}, 0);
-      paintOne(painter, all, all.adjusted(line, 0, 0, 0), 1);
-      return paintWipe(painter, line, all.height(), devicePixelRatioF());
+      return paintBoth(painter, all);
     case Mode::difference:
       return paintDifference(painter, all);
+    case Mode::wipeAndError:
+      paintBoth(painter, left);
+      return paintDifference(painter, right);
   }
+}
+
+/// Paints both images with the wipe's line between them.
+void ImageWidget::paintBoth(QPainter& painter, const QRect& pane) const {
+  const int line = wipeColumn();
+  paintOne(painter, pane, {0, 0, line, pane.height()}, 0);
+  paintOne(painter, pane, pane.adjusted(line, 0, 0, 0), 1);
+  paintWipe(painter, line, pane.height(), devicePixelRatioF());
 }
 
 void ImageWidget::paintOne(QPainter& painter, const QRect& pane, const QRect& clip,
@@ -99,13 +107,13 @@ void ImageWidget::paintOne(QPainter& painter, const QRect& pane, const QRect& cl
   paintMarks(painter, clip, at);
 }
 
-/// Paints the code values of visible pixels, or their errors, into each, if zoomed enough.
+/// Paints the code values of an image's visible pixels, or without `which` their errors, into each,
+/// if zoomed enough.
 void ImageWidget::paintValues(QPainter& painter, const QRect& clip, const Placement& at,
-                              std::size_t which) const {
+                              std::optional<std::size_t> which) const {
   constexpr double least = 20;  // device pixels per image pixel
   if (at.zoom < least) return;
-  const bool isError = shownMode() == Mode::difference;
-  const QImage& shown = isError ? m_difference.image() : m_images[which].toned.image();
+  const QImage& shown = which ? m_images[*which].toned.image() : m_difference.image();
   const QRect visible =
       QRectF(at.toImage(clip.topLeft()), at.toImage(clip.bottomRight())).toAlignedRect() &
       shown.rect();
@@ -119,8 +127,8 @@ void ImageWidget::paintValues(QPainter& painter, const QRect& clip, const Placem
   for (int y = visible.top(); y <= visible.bottom(); ++y)
     for (int x = visible.left(); x <= visible.right(); ++x) {
       const QStringList lines =
-          (isError ? ErrorText::values(m_error.kind, image().pixel(x, y), otherImage().pixel(x, y))
-                   : values(m_images[which].image.pixelColor(x, y)))
+          (which ? values(m_images[*which].image.pixelColor(x, y))
+                 : ErrorText::values(m_error.kind, image().pixel(x, y), otherImage().pixel(x, y)))
               .split(' ');
       const QRectF box(at.toDevice(QPointF(x, y)), QSizeF(at.zoom, at.zoom));
       const double top = box.center().y() - 0.5 * double(line * lines.size());
@@ -137,7 +145,7 @@ void ImageWidget::paintDifference(QPainter& painter, const QRect& pane) const {
   const Placement at = placement(pane);
   m_difference.paint(painter, pane, at);
   for (const Shown& image : m_images) image.hatch.paint(painter, pane, at);
-  paintValues(painter, pane, at, 0);
+  paintValues(painter, pane, at, {});
   paintMarks(painter, pane, at);
 }
 
@@ -147,9 +155,9 @@ void ImageWidget::paintMarks(QPainter& painter, const QRect& clip, const Placeme
   if (!m_region.isNull()) paintRegion(painter, clip, at, m_region);
 }
 
-/// Paints the pointer's position in the other pane, side by side only.
+/// Paints the pointer's position in the other pane, if there is one.
 void ImageWidget::paintOtherPointer(QPainter& painter) const {
-  if (shownMode() != Mode::sideBySide || !m_pointer || !pixelAt(*m_pointer)) return;
+  if (!hasTwoPanes() || !m_pointer || !pixelAt(*m_pointer)) return;
   const QPointF device = inDevice(*m_pointer);
   const QRect pane = paneAt(device);
   const QRect all = deviceRect();
@@ -165,11 +173,16 @@ void ImageWidget::paintOtherPointer(QPainter& painter) const {
 /// Returns the title of the whole, or of the first image.
 QString ImageWidget::heading() const {
   const Mode mode = shownMode();
-  const QString what = mode == Mode::difference ? ErrorText::name(m_error.kind)
-                       : mode == Mode::single   ? QString()
-                       : mode == Mode::blink    ? m_images[m_turn].title
-                                                : m_images[0].title;
+  if (mode == Mode::difference) return errorHeading();
+  if (mode == Mode::wipeAndError) return m_images[0].title;
+  const QString what = mode == Mode::single  ? QString()
+                       : mode == Mode::blink ? m_images[m_turn].title
+                                             : m_images[0].title;
   return (what + ' ' + toneText()).trimmed();
+}
+
+QString ImageWidget::errorHeading() const {
+  return (ErrorText::name(m_error.kind) + ' ' + toneText()).trimmed();
 }
 
 QString ImageWidget::toneText() const {
@@ -178,7 +191,12 @@ QString ImageWidget::toneText() const {
 
 void ImageWidget::paintTexts(QPainter& painter) const {
   const Mode mode = shownMode();
-  const bool hasTwo = mode == Mode::sideBySide || mode == Mode::wipe;
+  const bool hasTwo = mode == Mode::sideBySide || hasWipe();
+  QRect left = rect(), right = rect();
+  if (hasTwoPanes()) {
+    left.setRight(width() / 2 - 1);
+    right.setLeft(width() / 2 + 1);
+  }
   const auto paint = [&](const QRect& area, Qt::Alignment where, const QString& text,
                          const QColor& mark = {}) {
     paintText(painter, area, where, text, labelColours(), mark, scaled(8));
@@ -186,19 +204,17 @@ void ImageWidget::paintTexts(QPainter& painter) const {
   paint(
       rect(), Qt::AlignLeft | Qt::AlignTop, heading(),
       hasTwo || mode == Mode::blink ? tokens().series[mode == Mode::blink ? m_turn : 0] : QColor());
-  const bool hasScale = mode == Mode::difference && m_error.hasFalseColour;
+  const bool hasScale = hasError() && m_error.hasFalseColour;
   paintLegend(painter, hasScale ? paintScale(painter, rect(), *m_map, ErrorText::unit(m_error.kind),
                                              labelColours())
                                 : rect().right());
   QRect top = rect();
   if (mode == Mode::wipe) top.translate(0, 2 * painter.fontMetrics().height());
   paint(top, Qt::AlignRight | Qt::AlignTop, m_tag);
-  if (hasTwo) {
-    QRect second = rect();
-    if (mode == Mode::sideBySide) second.setLeft(width() / 2 + 1);
-    paint(second, (mode == Mode::wipe ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignTop,
-          m_images[1].title, tokens().series[1]);
-  }
+  if (hasWipe()) paint(left, Qt::AlignRight | Qt::AlignTop, m_images[1].title, tokens().series[1]);
+  if (mode == Mode::sideBySide)
+    paint(right, Qt::AlignLeft | Qt::AlignTop, m_images[1].title, tokens().series[1]);
+  if (mode == Mode::wipeAndError) paint(right, Qt::AlignLeft | Qt::AlignTop, errorHeading());
   // Moves the text away from the pointer, so that it does not cover that area.
   const bool isLow = m_pointer && m_pointer->y() > height() * 0.8 && m_pointer->x() < width() * 0.6;
   paint(rect(), (isLow ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignBottom, readOut());
@@ -236,7 +252,7 @@ QString ImageWidget::readOut() const {
         tr(" | %1, difference %2")
             .arg(valuesOf(m_images[1]),
                  values(difference(image().pixelColor(*pixel), otherImage().pixelColor(*pixel))));
-  if (shownMode() == Mode::difference && m_error.kind != ErrorKind::absolute)
+  if (hasError() && m_error.kind != ErrorKind::absolute)
     text += tr(", %1 %2").arg(
         ErrorText::name(m_error.kind).toLower(),
         ErrorText::values(m_error.kind, image().pixel(*pixel), otherImage().pixel(*pixel)));
@@ -247,23 +263,26 @@ QString ImageWidget::readOut() const {
 QImage ImageWidget::shownImage() const {
   const Mode mode = shownMode();
   const QImage& first = m_images[0].toned.image();
-  const QImage& second = m_images[1].toned.image();
   if (mode == Mode::single) return first;
   if (mode == Mode::blink) return m_images[m_turn].toned.image();
-  if (mode == Mode::difference)
-    return m_isMapOld ? errorImage(image(), otherImage(), *m_map) : m_difference.image();
-  const bool isWipe = mode == Mode::wipe;
-  const int split =
-      isWipe ? int(std::round(placement(deviceRect()).toImage(QPointF(wipeColumn(), 0)).x()))
-             : first.width();
-  QImage shown(isWipe ? first.size() : QSize(2 * first.width(), first.height()), first.format());
+  if (mode == Mode::wipe) return wipedImage();
+  const QImage error = !hasError()  ? QImage()
+                       : m_isMapOld ? errorImage(image(), otherImage(), *m_map)
+                                    : m_difference.image();
+  if (mode == Mode::difference) return error;
+  QImage shown(2 * first.width(), first.height(), first.format());
   QPainter painter(&shown);
-  painter.drawImage(0, 0, first);
-  const int from = std::clamp(split, 0, first.width());
-  if (isWipe)
-    painter.drawImage(from, 0, second, from, 0);
-  else
-    painter.drawImage(from, 0, second);
+  painter.drawImage(0, 0, hasWipe() ? wipedImage() : first);
+  painter.drawImage(first.width(), 0, hasError() ? error : m_images[1].toned.image());
+  return shown;
+}
+
+/// Returns the first image, right of the wipe's line the second.
+QImage ImageWidget::wipedImage() const {
+  QImage shown = m_images[0].toned.image();
+  const double line = placement(paneAt({})).toImage(QPointF(wipeColumn(), 0)).x();
+  const int from = std::clamp(int(std::round(line)), 0, shown.width());
+  QPainter(&shown).drawImage(from, 0, m_images[1].toned.image(), from, 0);
   return shown;
 }
 

@@ -60,8 +60,8 @@ ViewOutput::ViewOutput(QMenu* menu, QWidget* view, QStatusBar* statusBar, Sessio
           this, &ViewOutput::askView)),
       m_saveAnimation(addCommand(menu,
                                  {"saveAnimationAction", tr("Save a&nimation…"),
-                                  tr("Renders a path of the camera: numbered pictures, and a video "
-                                     "where the program ffmpeg is installed"),
+                                  tr("Renders a path of the camera, or a focus stack: numbered "
+                                     "pictures, and a video where the program ffmpeg is installed"),
                                   Qt::CTRL | Qt::ALT | Qt::Key_A},
                                  this, &ViewOutput::askAnimation)) {
   connect(m_task, &Task::runningChanged, this, &ViewOutput::showState);
@@ -97,7 +97,7 @@ void ViewOutput::saveAnimation(const CameraPath& path, const QString& folder, do
   AnimationRequest request{
       *m_source, {}, folder.toStdString(), framesPerSecond, ffmpeg.toStdString()};
   const auto scaled = [scale](int side) { return std::max(1, int(std::lround(scale * side))); };
-  for (const CameraState& state : statesAlong(path, m_model->session(), m_model->currentIndex())) {
+  for (const CameraState& state : statesAlong(path, resolvedSession(), m_model->currentIndex())) {
     const auto [width, height] = state.camera.res;
     request.states.push_back(resized(state, {scaled(width), scaled(height)}));
   }
@@ -108,6 +108,15 @@ void ViewOutput::saveAnimation(const CameraPath& path, const QString& folder, do
       Q_EMIT done(tr("Saved %n pictures in %1", "", int(count)).arg(folder));
     };
   });
+}
+
+/// Returns the session with the hogels and directions of its light field, which it may not say.
+Session ViewOutput::resolvedSession() const {
+  Session session = m_model->session();
+  if (session.display.sheet || !m_source) return session;
+  session.display.hogels = m_source->display.hogels;
+  session.display.directions = m_source->display.directions;
+  return session;
 }
 
 QSize ViewOutput::currentSize() const {
@@ -127,8 +136,7 @@ void ViewOutput::askView() {
 
 void ViewOutput::askAnimation() {
   const QString ffmpeg = QStandardPaths::findExecutable("ffmpeg");
-  AnimationDialog dialog(m_model->session(), m_model->currentIndex(), currentSize(), ffmpeg,
-                         m_view);
+  AnimationDialog dialog(resolvedSession(), m_model->currentIndex(), currentSize(), ffmpeg, m_view);
   if (dialog.exec() != QDialog::Accepted) return;
   const double scale = double(dialog.size().width()) / currentSize().width();
   guarded(this, [&] {

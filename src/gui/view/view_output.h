@@ -41,6 +41,7 @@ class ViewOutput : public FileOutput {
   void askView();
   void askAnimation();
   void showState();
+  [[nodiscard]] Session resolvedSession() const;
   [[nodiscard]] QSize currentSize() const;
 
   QWidget* m_view;

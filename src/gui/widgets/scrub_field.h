@@ -72,7 +72,7 @@ class ScrubField : public Box {
  protected:
   /// The tooltip begins with the value in all digits, where fewer are shown.
   bool event(QEvent* event) override {
-    if (event->type() != QEvent::ToolTip || !isReal || isLeftOut(this->text()))
+    if (event->type() != QEvent::ToolTip || !isReal || showsLeftOut())
       return Box::event(event);
     const QString all =
         this->locale().toString(double(this->value()), 'g', QLocale::FloatingPointShortest);
@@ -151,7 +151,7 @@ class ScrubField : public Box {
     if (isFocused) return;
     const auto [text, font] = shown();
     writeLine(painter, textRect(), Qt::AlignVCenter, text, font,
-              this->isEnabled() && !isLeftOut(this->text()) ? t.text : t.text3);
+              this->isEnabled() && !showsLeftOut() ? t.text : t.text3);
   }
 
  private:
@@ -170,9 +170,15 @@ class ScrubField : public Box {
     return Box::textFromValue(int(value));
   }
 
+  [[nodiscard]] bool showsLeftOut() const {
+    return !this->specialValueText().isEmpty() && this->value() == this->minimum();
+  }
+
+  /// The special text may be a number, which is left out only while it is shown as that.
   [[nodiscard]] bool isLeftOut(const QString& text) const {
     const QString special = this->specialValueText();
-    return !special.isEmpty() && (text.trimmed().isEmpty() || text.trimmed() == special);
+    return !special.isEmpty() &&
+           (text.trimmed().isEmpty() || (text.trimmed() == special && showsLeftOut()));
   }
 
   /// Whole numbers keep to their steps, others are rounded to a step, or with Shift a tenth of it.
@@ -210,7 +216,7 @@ class ScrubField : public Box {
       return QFontMetrics(shown.font).horizontalAdvance(shown.text) <= width;
     };
     Shown shown{this->text(), this->font()};
-    const bool hasDigits = isReal && !isLeftOut(shown.text);
+    const bool hasDigits = isReal && !showsLeftOut();
     for (int digits = mostDigits - 1; digits >= leastDigits && hasDigits && !fits(shown); --digits)
       shown.text = inDigits(this->value(), digits);
     if (!fits(shown)) shown.font = textFont(TextSize::caption);

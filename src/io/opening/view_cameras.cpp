@@ -164,13 +164,13 @@ class OrderByCameras {
     if (m_params.pattern.empty() && named)
       if (std::string other = transposedPattern(named->pattern); !other.empty())
         patterns.push_back(std::move(other));
-    std::vector<ViewScan> scans{m_params.scan};
+    std::vector<ViewScan> possible{m_params.scan};
     if (!m_isScanGiven && (!named || named->isCounted))
-      scans = {ViewScan::raster, ViewScan::serpentine, ViewScan::columns,
-               ViewScan::columnsSerpentine};
+      possible = {ViewScan::raster, ViewScan::serpentine, ViewScan::columns,
+                  ViewScan::columnsSerpentine};
     const CamerasByPicture cameras(m_found.cameras);
     for (const std::string& pattern : patterns)
-      for (const ViewScan scan : scans) {
+      for (const ViewScan scan : possible) {
         const auto views = viewsOf(pattern, scan, {m_found.grid.columns, m_found.grid.rows});
         if (!views || !fits(*views, cameras)) continue;
         m_found.pattern = pattern;

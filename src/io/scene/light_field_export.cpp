@@ -12,6 +12,9 @@
 #include "io/files/files_in_use.h"
 #include "io/images/image_writer.h"
 #include "io/layouts/layouts.h"
+#include "io/scene/twin_content.h"
+#include "io/scene/view_source.h"
+#include "io/store/store_writer.h"
 
 namespace hogelscope {
 
@@ -162,8 +165,7 @@ void exportViews(LightFieldFile& lightField, const fs::path& folder, const Progr
   }
 }
 
-std::array<int, 2> quiltTilesFor(const LightFieldFile& lightField, const fs::path& file) {
-  const LightFieldSize size = lightField.size();
+std::array<int, 2> quiltTilesFor(const LightFieldSize& size, const fs::path& file) {
   if (size.dv != 1)
     throw InputError("display.directions",
                      "has " + std::to_string(size.dv) +
@@ -187,7 +189,7 @@ std::array<int, 2> quiltTilesFor(const LightFieldFile& lightField, const fs::pat
 }
 
 void exportQuilt(LightFieldFile& lightField, const fs::path& file, const Progress& progress) {
-  const auto [columns, rows] = quiltTilesFor(lightField, file);
+  const auto [columns, rows] = quiltTilesFor(lightField.size(), file);
   const auto firstOf = [columns = columns, rows = rows](int row) {  // the first one is the lowest
     return FirstView{(rows - 1 - row) * columns, 0};
   };
@@ -198,6 +200,52 @@ void exportMosaic(LightFieldFile& lightField, const fs::path& file, const Progre
   const LightFieldSize size = lightField.size();
   const auto firstOf = [](int row) { return FirstView{0, row}; };
   exportTiles(lightField, {size.du, size.dv}, firstOf, file, progress);
+}
+
+std::optional<ExportLayout> exportLayoutNamed(const std::string& name) {
+  const std::array names{"hogels", "views", "quilt", "mosaic", "woven", "pack"};
+  const auto found = std::ranges::find(names, name);
+  if (found == names.end()) return std::nullopt;
+  return ExportLayout(found - names.begin());
+}
+
+std::vector<ExportLayout> exportLayoutsOf(const DisplayParams& display) {
+  if (display.sheet) return {ExportLayout::quilt, ExportLayout::views, ExportLayout::woven};
+  return {ExportLayout::hogels, ExportLayout::views, ExportLayout::quilt, ExportLayout::mosaic,
+          ExportLayout::pack};
+}
+
+std::shared_ptr<LightFieldFile> contentToExport(const Session& session, ExportLayout layout,
+                                                bool isForTwin, const Progress& progress) {
+  if (session.display.sheet && layout != ExportLayout::woven)
+    return openUnwoven(session.lightField, session.display, progress);
+  std::shared_ptr<LightFieldFile> file =
+      openLightField(session.lightField, session.display, progress);
+  if (!isForTwin) return file;
+  const PanelParams display = resolved(displayOf(session), file->size());
+  auto twin = twinOf(session.twin, display);
+  if (!twin) throw InputError("twin", "is missing: content is corrected for a unit");
+  return std::make_shared<TwinContent>(file, display, twin);
+}
+
+void exportAs(ExportLayout layout, const Session& session, LightFieldFile& content,
+              const fs::path& output, const Progress& progress) {
+  switch (layout) {
+    case ExportLayout::hogels:
+    case ExportLayout::woven:
+      return exportHogels(content, output, progress);
+    case ExportLayout::views:
+      return exportViews(content, output, progress);
+    case ExportLayout::quilt:
+      return exportQuilt(content, output, progress);
+    case ExportLayout::mosaic:
+      return exportMosaic(content, output, progress);
+    case ExportLayout::pack:
+      break;
+  }
+  const std::size_t memory = allowedMemory() / (content.isStream() ? 1 : 2);
+  pack(content, planPack(session.lightField, content, session.display, memory), output, 0,
+       progress);
 }
 
 }  // namespace hogelscope

@@ -1,11 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Writes a light field of any layout as one image of hogels, a folder of views, a quilt or a
-// mosaic, in bounded memory. Stores are written by io/store/store_writer.h. Values keep their type.
+// Writes a light field of any layout as one image of hogels, a folder of views, a quilt, a mosaic
+// or a store, in bounded memory. Values keep their type.
 #pragma once
 
 #include <array>
 #include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
 
+#include "core/optics/session.h"
 #include "io/layouts/light_field_file.h"
 
 namespace hogelscope {
@@ -24,8 +29,7 @@ void exportViews(LightFieldFile& lightField, const std::filesystem::path& folder
 /// Returns the tiles, across and down, that the name gives ("_qs8x6a0.75"), or those of an almost
 /// square image. Throws InputError if the name has another number than that of the directions, or
 /// if there is more than one row of directions.
-std::array<int, 2> quiltTilesFor(const LightFieldFile& lightField,
-                                 const std::filesystem::path& file);
+std::array<int, 2> quiltTilesFor(const LightFieldSize& size, const std::filesystem::path& file);
 
 /// Writes a quilt: view 0 is its bottom left tile and was taken from the left.
 void exportQuilt(LightFieldFile& lightField, const std::filesystem::path& file,
@@ -35,5 +39,26 @@ void exportQuilt(LightFieldFile& lightField, const std::filesystem::path& file,
 /// from the left.
 void exportMosaic(LightFieldFile& lightField, const std::filesystem::path& file,
                   const Progress& progress);
+
+/// What a session's light field is written as. woven: the picture of a lens sheet's panel; pack: a
+/// store (io/store).
+enum class ExportLayout { hogels, views, quilt, mosaic, woven, pack };
+
+/// Returns the layout of a name, such as "quilt"; none if there is no such name.
+std::optional<ExportLayout> exportLayoutNamed(const std::string& name);
+
+/// Returns the layouts that a display's light field can be written as.
+std::vector<ExportLayout> exportLayoutsOf(const DisplayParams& display);
+
+/// Returns the light field that is written: the session's, or of a lens sheet the views that it
+/// shows, or with `isForTwin`, on a display of hogels, the one that the session's twin needs.
+/// Throws InputError, also without a twin; Cancelled.
+std::shared_ptr<LightFieldFile> contentToExport(const Session& session, ExportLayout layout,
+                                                bool isForTwin, const Progress& progress = {});
+
+/// Writes a session's content as the functions above, or as a store with the session's display.
+/// `output` is a file, or for views a folder.
+void exportAs(ExportLayout layout, const Session& session, LightFieldFile& content,
+              const std::filesystem::path& output, const Progress& progress);
 
 }  // namespace hogelscope
