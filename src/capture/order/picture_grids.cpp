@@ -257,14 +257,17 @@ Tiles tilesAlong(const Axis& axis, const Progress& progress) {
   double most = visible;
   for (const auto& each : periods)
     if (const double height = axis.standOut(each.first); height > most) most = height, found = each;
-  // Borders that fall together with those of a codec's blocks stand out more than the others.
-  for (const auto& each : periods)
-    if (most > visible && found.first % each.first == 0 && each.first < found.first &&
-        each.second >= nearly * found.second &&
-        axis.standOutBeside(each.first, found.first) > most / 2) {
-      found = each;
-      break;
-    }
+  // Borders that fall together with those of a codec's blocks stand out more than the others. Tiles
+  // that are no less alike than two of them together need less of a border between them.
+  const auto isShorter = [&](const auto& each) {
+    if (found.first % each.first != 0 || each.first == found.first) return false;
+    const double between = axis.standOutBeside(each.first, found.first);
+    return each.second >= found.second ? between > 1
+                                       : each.second >= nearly * found.second && between > most / 2;
+  };
+  if (const auto shorter = std::ranges::find_if(periods, isShorter);
+      most > visible && shorter != periods.end())
+    found = *shorter;
   const std::size_t count = axis.length() / found.first;
   if (found.second < least || found.first < leastTile || count > mostTiles) return {};
   return {count, found.second};
