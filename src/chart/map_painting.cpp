@@ -38,13 +38,28 @@ void stroke(QPainter& painter, const QLineF& line, Qt::PenStyle style) {
   painter.drawLine(line);
 }
 
-/// Writes a name on any colour.
-void writeName(QPainter& painter, const QPointF& at, const QString& name) {
-  painter.setPen(QColor(0, 0, 0, 200));
-  for (const QPointF& aside : {QPointF(1, 0), QPointF(-1, 0), QPointF(0, 1), QPointF(0, -1)})
-    painter.drawText(at + aside, name);
+/// Draws a dot that is seen on every colour.
+void drawDot(QPainter& painter, const QPointF& at) {
+  painter.setPen(QPen(Qt::white, 1.5));
+  painter.setBrush(QColor(0xff, 0x9a, 0x2e));
+  painter.drawEllipse(at, 5, 5);
+  painter.setBrush(Qt::NoBrush);
+}
+
+/// Writes a name to the right of a place, or to its left where there is no room; on dark ground, so
+/// that lines below do not run through it.
+void writeName(QPainter& painter, const QRectF& area, const QPointF& at, const QString& name) {
+  if (name.isEmpty()) return;
+  constexpr double gap = 6;
+  const QFontMetricsF metrics(painter.font());
+  const double width = metrics.horizontalAdvance(name);
+  const bool isLeft = at.x() + gap + width > area.right();
+  const double left = isLeft ? at.x() - gap - width : at.x() + gap;
+  const double top = std::clamp(at.y(), area.top(), area.bottom() - metrics.height());
+  const QRectF place(std::max(left, area.left()), top, width, metrics.height());
+  painter.fillRect(place.adjusted(-2, 0, 2, 0), QColor(0, 0, 0, 150));
   painter.setPen(Qt::white);
-  painter.drawText(at, name);
+  painter.drawText(place, Qt::AlignCenter, name);
 }
 
 }  // namespace
@@ -64,11 +79,13 @@ void paintMap(QPainter& painter, const QSizeF& size, const MapPlot& plot,
   for (const double level : plot.contours)
     for (const auto& [from, to] : contourOf(plot, level))
       stroke(painter, {place(from), place(to)}, Qt::SolidLine);
-  for (const auto& [from, to, name] : plot.lines) {
-    stroke(painter, {place(from), place(to)}, Qt::DashLine);
-    const bool endsBelow = to[1] < from[1];
-    writeName(painter, place(to) + QPointF(4, endsBelow ? -6 : text), QString::fromStdString(name));
-  }
+  for (const auto& [from, to, name] : plot.lines)
+    if (from == to && plot.up[0] < to[1] && to[1] < plot.up[1])
+      drawDot(painter, place(to));
+    else
+      stroke(painter, {place(from), place(to)}, Qt::DashLine);
+  for (const auto& [from, to, name] : plot.lines)
+    writeName(painter, area, place(to) + QPointF(0, 4), QString::fromStdString(name));
   painter.setPen(colours.text2);
   std::vector<Tick> ticks = plot.ticks.empty()
                                 ? linearTicks(across, std::max(2, int(area.width() / (5 * text))))

@@ -148,8 +148,7 @@ MapPlot mtfMap(const Bench& bench, const std::vector<MeasuredFigure>& figures) {
   }
   const double limit = distance * std::acos(-1) / 180 / (2 * bench.pitch(axis));
   const std::string whose = bench.sheet() != nullptr ? "lenses'" : "hogels'";
-  plot.lines.push_back({{plot.across[0], limit}, {plot.across[0], limit}, whose + " limit 1/(2p)"});
-  plot.lines.push_back({{plot.across[0], limit}, {plot.across[1], limit}, ""});
+  plot.lines.push_back({{plot.across[1], limit}, {plot.across[0], limit}, whose + " limit 1/(2p)"});
   return plot;
 }
 
@@ -164,8 +163,7 @@ MapPlot zoneMap(const Bench& bench, const std::vector<MeasuredFigure>& figures) 
   plot.up[0] = 0;
   plot.lines.push_back({{-half, 0}, {half, 0}, ""});
   const Vec3& eye = bench.eye();
-  const double size = 0.02 * (plot.across[1] - plot.across[0]);
-  plot.lines.push_back({{eye.x - size, eye.z}, {eye.x + size, eye.z}, "eye"});
+  plot.lines.push_back({{eye.x, eye.z}, {eye.x, eye.z}, "eye"});
   return plot;
 }
 

@@ -76,8 +76,11 @@ std::string svgOf(const MapPlot& plot, const PlotBox& box, const std::string& la
     for (const auto& [from, to] : contourOf(plot, level))
       text += stroke(across.at(from[0]), up.at(from[1]), across.at(to[0]), up.at(to[1]), "");
   for (const auto& [from, to, name] : plot.lines) {
-    text += stroke(across.at(from[0]), up.at(from[1]), across.at(to[0]), up.at(to[1]),
-                   " stroke-dasharray=\"5 4\"");
+    text += from == to ? "<circle cx=\"" + rounded(across.at(to[0]), 1) + "\" cy=\"" +
+                             rounded(up.at(to[1]), 1) +
+                             "\" r=\"5\" fill=\"#ff9a2e\" stroke=\"#fff\" stroke-width=\"1.5\"/>"
+                       : stroke(across.at(from[0]), up.at(from[1]), across.at(to[0]), up.at(to[1]),
+                                " stroke-dasharray=\"5 4\"");
     const bool endsBelow = to[1] < from[1];
     text += nameText(across.at(to[0]) + 4, up.at(to[1]) + (endsBelow ? -6 : 13), name);
   }

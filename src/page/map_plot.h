@@ -12,7 +12,7 @@
 namespace hogelscope {
 
 struct MapPlot {
-  /// A line across the map, dashed, with a name at its end `to`.
+  /// A line across the map, dashed, with a name at its end `to`; with equal ends a dot.
   struct Line {
     std::array<double, 2> from{};  ///< values across and up
     std::array<double, 2> to{};

@@ -75,7 +75,7 @@ class TestDockDrawings : public DocksTest {
     QCOMPARE(told("number2"), QString("40.0 °, viewing cone"));
     QCOMPARE(told("number3"), QString("36.4 cm, between flips"));
     QCOMPARE(told("number4"), QString("0.51 views, in one place, rms"));
-    QCOMPARE(told("number5"), QString("17.3 %, see eyes swapped"));
+    QCOMPARE(told("number5"), QString("17.3 %, eyes swapped"));
     QVERIFY(child<QLabel>("number1")->toolTip().startsWith("How many views"));
     openSmall();
     QVERIFY2(told("number1").endsWith("hogel pitch"), qPrintable(told("number1")));

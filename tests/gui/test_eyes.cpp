@@ -42,7 +42,7 @@ class TestEyes : public SceneTest {
   void cleanup() { m_window.reset(); }
 
   void fieldsChangeTheView() {
-    set("diameter", 0.03);
+    set("diameter", 30);
     set("focus", 0.4);
     QCOMPARE(state().pupil.diameter, 0.03);
     QCOMPARE(state().pupil.focus, 0.4);
@@ -56,14 +56,14 @@ class TestEyes : public SceneTest {
 
   void aPinholeHasNoFocus() {
     QVERIFY(!field("focus")->isVisible());
-    set("diameter", 0.004);
+    set("diameter", 4);
     QVERIFY(field("focus")->isVisible());
   }
 
   void ctrlAndAClickFocus() {
     QTest::mouseClick(view(), Qt::LeftButton, Qt::ControlModifier, placeOf({60, 60}));
     QVERIFY2(message().contains("pinhole"), qPrintable(message()));
-    set("diameter", 0.03);
+    set("diameter", 30);
     QTRY_VERIFY_WITH_TIMEOUT(equals(view()->image(), imageOf(state())), patience);
     LensTables tables;
     const auto expected =
@@ -78,7 +78,7 @@ class TestEyes : public SceneTest {
   }
 
   void aPlainClickSaysWhereItIsSharp() {
-    set("diameter", 0.03);
+    set("diameter", 30);
     QTest::keyClick(m_window.get(), Qt::Key_P, Qt::ControlModifier | Qt::ShiftModifier);
     QTRY_VERIFY_WITH_TIMEOUT(equals(view()->image(), imageOf(state())), patience);
     QTest::mouseClick(view(), Qt::LeftButton, {}, placeOf({50, 70}));
@@ -106,7 +106,7 @@ class TestEyes : public SceneTest {
     trigger(qPrintable(action));
     // A state with one eye is shown itself.
     QTRY_VERIFY_WITH_TIMEOUT(equals(view()->image(), imageOf(state())), patience);
-    set("ipd", 0.06);
+    set("ipd", 60);
     const std::vector<CameraState> eyes = eyesOf(state(), m_loaded.display);
     const Image expected =
         stereoImage(imageOf(eyes[0]), imageOf(eyes[1]), static_cast<StereoMode>(mode));
@@ -117,7 +117,7 @@ class TestEyes : public SceneTest {
   }
 
   void oneEyeIsShown() {
-    set("ipd", 0.06);
+    set("ipd", 60);
     const std::vector<CameraState> eyes = eyesOf(state(), m_loaded.display);
     trigger("leftEyeAction");
     QTRY_VERIFY_WITH_TIMEOUT(equals(view()->image(), imageOf(eyes[0])), patience);
@@ -127,7 +127,7 @@ class TestEyes : public SceneTest {
 
   /// A pixel on the right of two pictures is the right eye's.
   void picksKnowTheEye() {
-    set("ipd", 0.06);
+    set("ipd", 60);
     const std::vector<CameraState> eyes = eyesOf(state(), m_loaded.display);
     trigger("eyesSideBySideAction");
     QTRY_COMPARE_WITH_TIMEOUT(view()->image().width(), 240, patience);
@@ -147,7 +147,7 @@ class TestEyes : public SceneTest {
                                  [&](const Vec3& point) { return isNear(point, wanted, 1e-6); });
     };
     QVERIFY(hasPoint(state().camera.eye));
-    set("ipd", 0.06);
+    set("ipd", 60);
     QTest::qWait(50);
     for (const CameraState& eye : eyesOf(state(), m_loaded.display))
       QVERIFY(hasPoint(eye.camera.eye));

@@ -2,11 +2,18 @@
 // Forms after other sessions: each sample is opened after every other, and all rows that a session
 // has are there, below each other, in their full height.
 #include <QAbstractSpinBox>
+#include <QAction>
+#include <QCheckBox>
 #include <QComboBox>
 #include <QLabel>
 #include <QLineEdit>
+#include <QPushButton>
+#include <QTextDocumentFragment>
+#include <QToolButton>
 
+#include "gui/widgets/elided_label.h"
 #include "gui/widgets/parameter_form.h"
+#include "gui/widgets/scrub_field.h"
 #include "tests/gui/docks_test.h"
 
 using namespace hogelscope;
@@ -49,6 +56,18 @@ class TestFormRows : public DocksTest {
       }
   }
 
+  /// No text is cut, in every workspace, at several sizes of window and text.
+  void everyTextHasRoom_data() {
+    QTest::addColumn<QSize>("size");
+    QTest::addColumn<int>("larger");
+    QTest::addColumn<QString>("colours");
+    QTest::newRow("1280×800") << QSize(1280, 800) << 0 << "darkColours";
+    QTest::newRow("1600×900, light") << QSize(1600, 900) << 0 << "lightColours";
+    QTest::newRow("2560×1440") << QSize(2560, 1440) << 0 << "darkColours";
+    QTest::newRow("1600×900, text +3") << QSize(1600, 900) << 3 << "darkColours";
+  }
+  void everyTextHasRoom();
+
  private:
   void writeSamples() {
     QVERIFY(QDir::setCurrent(m_folder.path()));
@@ -56,7 +75,8 @@ class TestFormRows : public DocksTest {
     writeFile("live.json", R"({"hogelscope": 1,
       "display": {"hogels": [16, 16], "directions": [4, 4]},
       "lightField": {"layout": "live", "source": "scene"},
-      "cameras": [{"name": "a", "eye": [0, 0, 0.7], "res": [40, 30],
+      "cameras": [{"name": "a", "eye": [-0.1464, -0.1454, 0.5805], "lookat": [-0.38195, 0, 0],
+                   "up": [0.0123, 0.976, -0.176], "res": [40, 30],
                    "distortion": {"model": "rational", "k4": 0.1},
                    "psf": {"windowSize": 1}}]})");
     m_samples << "s.json"
@@ -101,8 +121,73 @@ class TestFormRows : public DocksTest {
     return {};
   }
 
+  /// Returns the visible texts that have too little room.
+  [[nodiscard]] QStringList cutTexts() const {
+    QStringList cut;
+    for (const QWidget* widget : m_window->findChildren<QWidget*>()) {
+      if (!widget->isVisible() || widget->visibleRegion().isEmpty()) continue;
+      const bool isField = qobject_cast<const QAbstractSpinBox*>(widget) != nullptr;
+      if (!hasRoom(widget) ||
+          (isField && widget->visibleRegion().boundingRect().width() < widget->width()))
+        cut << nameOf(*widget);
+    }
+    return cut;
+  }
+  static QString nameOf(const QWidget& widget) {
+    const auto* label = qobject_cast<const QLabel*>(&widget);
+    const auto* button = qobject_cast<const QAbstractButton*>(&widget);
+    const QString text = label ? label->text() : button ? button->text() : widget.accessibleName();
+    return QString("%1 \"%2\" in %3 px")
+        .arg(widget.objectName(), QTextDocumentFragment::fromHtml(text).toPlainText())
+        .arg(widget.width());
+  }
+  /// Whether a button shows its icon alone.
+  static bool isPicture(const QAbstractButton* button) {
+    const auto* tool = qobject_cast<const QToolButton*>(button);
+    return tool != nullptr && tool->toolButtonStyle() == Qt::ToolButtonIconOnly;
+  }
+  static bool hasRoom(const QWidget* widget) {
+    if (const auto* box = dynamic_cast<const RealField*>(widget)) return box->isWideEnough();
+    if (const auto* box = dynamic_cast<const WholeField*>(widget)) return box->isWideEnough();
+    if (const auto* label = qobject_cast<const QLabel*>(widget)) {
+      if (dynamic_cast<const ElidedLabel*>(label) != nullptr || label->text().isEmpty())
+        return true;
+      if (label->wordWrap() || label->hasHeightForWidth())
+        return label->heightForWidth(label->width()) <= label->height();
+      return label->sizeHint().width() <= label->width();
+    }
+    const auto* button = qobject_cast<const QAbstractButton*>(widget);
+    const bool isOfQt = button != nullptr && (qobject_cast<const QPushButton*>(button) ||
+                                              qobject_cast<const QToolButton*>(button) ||
+                                              qobject_cast<const QCheckBox*>(button));
+    return !isOfQt || button->text().isEmpty() || button->sizeHint().width() <= button->width() ||
+           isPicture(button);
+  }
+
   QStringList m_samples;
 };
+
+void TestFormRows::everyTextHasRoom() {
+  QFETCH(QSize, size);
+  QFETCH(int, larger);
+  QFETCH(QString, colours);
+  m_window->resize(size);
+  child<QAction>(colours.toLatin1().data())->trigger();
+  for (int k = 0; k < larger; ++k) child<QAction>("largerTextAction")->trigger();
+  QStringList cut;
+  for (const QString& sample : m_samples) {
+    open(m_folder.filePath(sample));
+    for (const char* workspace : {"layoutViewAction", "layoutCompareAction", "layoutDesignAction",
+                                  "layoutMeasureAction", "layoutReportAction"}) {
+      child<QAction>(workspace)->trigger();
+      QTest::qWait(100);
+      for (const QString& text : cutTexts()) cut << sample + ", " + workspace + ": " + text;
+    }
+  }
+  child<QAction>("normalTextAction")->trigger();
+  child<QAction>("layoutViewAction")->trigger();
+  QVERIFY2(cut.isEmpty(), qPrintable(cut.join('\n')));
+}
 
 int main(int argc, char** argv) {
   return runWindowTest<TestFormRows>(argc, argv);

@@ -6,6 +6,7 @@
 #include <vtkGenericOpenGLRenderWindow.h>
 #include <vtkNew.h>
 
+#include <QAction>
 #include <QApplication>
 #include <QDoubleSpinBox>
 #include <QTimer>
@@ -20,6 +21,7 @@
 #include "gui/scene/display_scene.h"
 #include "gui/scene/scene_controller.h"
 #include "gui/scene/vtk_widget.h"
+#include "gui/session/session_model.h"
 #include "gui/view/image_widget.h"
 
 using namespace hogelscope;
@@ -58,6 +60,23 @@ void sayCost(const char* what, Use use) {
   std::sort(cpu.begin(), cpu.end());
   std::printf("%-28s %5.1f ms, %5.1f ms of CPU\n", what, wall[wall.size() / 2],
               cpu[cpu.size() / 2]);
+}
+
+/// The longest time for which the window's thread does not come back to its events meanwhile.
+template <class Use>
+void sayLongest(const char* what, Use use) {
+  double wall = 0, cpu = 0;
+  double wallBefore = seconds(CLOCK_MONOTONIC), cpuBefore = seconds(CLOCK_THREAD_CPUTIME_ID);
+  QTimer tick;
+  QObject::connect(&tick, &QTimer::timeout, [&] {
+    wall = std::max(wall, seconds(CLOCK_MONOTONIC) - wallBefore);
+    cpu = std::max(cpu, seconds(CLOCK_THREAD_CPUTIME_ID) - cpuBefore);
+    wallBefore = seconds(CLOCK_MONOTONIC);
+    cpuBefore = seconds(CLOCK_THREAD_CPUTIME_ID);
+  });
+  tick.start(1);
+  use();
+  std::printf("%-28s %5.1f ms, %5.1f ms of CPU at most\n", what, 1000 * wall, 1000 * cpu);
 }
 
 /// How many pictures of a mesh are shown in a second while it is dragged, an edit every 10 ms.
@@ -127,6 +146,28 @@ int main(int argc, char** argv) {
     sceneWidget->repaint();
     QApplication::processEvents();
   });
+  sayLongest("small views of 300 states", [&] {
+    auto* model = window.findChild<SessionModel*>();
+    model->changeStates("300 states", [](Session& session) {
+      const CameraState first = session.cameras.front();
+      for (int k = int(session.cameras.size()); k < 300; ++k) {
+        session.cameras.push_back(first);
+        session.cameras.back().camera.name = std::to_string(k);
+        session.cameras.back().camera.eye.x += 0.001 * k;
+      }
+      return std::size_t(0);
+    });
+    window.findChild<QAction*>("sceneStatePicturesAction")->trigger();
+    QTest::qWait(8000);
+  });
+  const auto sayCommand = [&](const char* what, const char* first, const char* second) {
+    sayCost(what, [&](int k) {
+      window.findChild<QAction*>(k % 2 == 0 ? first : second)->trigger();
+      QApplication::processEvents();
+    });
+  };
+  sayCommand("light or dark", "lightColours", "darkColours");
+  sayCommand("size of the text", "largerTextAction", "normalTextAction");
   if (const auto* mesh = window.findChild<QWidget*>("meshForm"))
     sayPicturesOfDrag(*mesh->findChild<QDoubleSpinBox*>("position.0"), *view);
   return 0;

@@ -2,6 +2,7 @@
 #include "gui/docks/design_numbers_widget.h"
 
 #include <QPainter>
+#include <cmath>
 
 #include "chart/depth_bar.h"
 #include "gui/session/session_forms.h"
@@ -20,6 +21,8 @@ QString inDigits(double value) {
 }
 
 QString inDigits(const std::array<double, 2>& pair, double factor = 1) {
+  constexpr double seen = 0.01;  // a smaller difference is not worth the room
+  if (std::abs(pair[0] - pair[1]) < seen * pair[0]) return inDigits(factor * pair[0]);
   const QString across = inDigits(factor * pair[0]);
   const QString down = inDigits(factor * pair[1]);
   return across == down ? across : across + " × " + down;
@@ -35,21 +38,56 @@ struct NumberCell {
   QString number;
   QString unit;
   QString caption;
-  QString tip = {};  ///< "": the form's own
+  QString tip = {};     ///< "": the form's own
+  QString change = {};  ///< from the display as it was opened
 };
 
-void fillCell(const NumberCell& cell) {
-  const auto& [label, number, unit, caption, tip] = cell;
+/// Returns how much larger a number has become, in percent; "" where it is as it was, or one of
+/// them is not known.
+QString changeText(double now, double before) {
+  if (!(now > 0) || !(before > 0)) return {};
+  const double percent = 100 * (now / before - 1);
+  if (std::abs(percent) < 0.5) return {};
+  return QString("%1%2\u2009%").arg(percent < 0 ? "−" : "+").arg(std::abs(percent), 0, 'f', 0);
+}
+
+/// Makes a cell's texts fit into its room: a unit that does not goes to the caption, and then the
+/// number becomes smaller. Returns the number's size in pixels.
+int fitCell(NumberCell& cell) {
+  constexpr int padding = 16;
+  const QFontMetrics caption(textFont(TextSize::caption));
+  QFont font = textFont(TextSize::number, QFont::DemiBold);
+  const auto fits = [&] {
+    return QFontMetrics(font).horizontalAdvance(cell.number) +
+               caption.horizontalAdvance("  " + cell.unit + cell.change) <=
+           cell.label->width() - scaled(padding);
+  };
+  if (!fits() && !cell.unit.isEmpty()) {
+    cell.caption += ", " + cell.unit;
+    cell.unit.clear();
+  }
+  // A caption has two lines where it needs them.
+  cell.label->setWordWrap(true);
+  while (!fits() && font.pixelSize() > textFont(TextSize::caption).pixelSize())
+    font.setPixelSize(font.pixelSize() - 1);
+  return font.pixelSize();
+}
+
+void fillCell(NumberCell cell) {
+  cell.number.replace(' ', QChar(QChar::Nbsp));
+  const QString name = QString("%1 %2, %3").arg(cell.number, cell.unit, cell.caption);
+  const int size = fitCell(cell);
+  const auto& [label, number, unit, caption, tip, change] = cell;
   const Tokens& t = tokens();
   label->setText(
       QString("<span style='font-size: %1px; font-weight: 600'>%2</span><span style='font-size: "
-              "%3px; color: %4'> %5</span><br><span style='font-size: %3px; color: "
-              "%6'>%7</span>")
-          .arg(textFont(TextSize::number).pixelSize())
+              "%3px; color: %4'> %5</span><span style='font-size: %3px; color: %8'> %9</span><br>"
+              "<span style='font-size: %3px; color: %6'>%7</span>")
+          .arg(size)
           .arg(number)
           .arg(textFont(TextSize::caption).pixelSize())
-          .arg(t.text3.name(), unit, t.text2.name(), caption));
-  label->setAccessibleName(QString("%1 %2, %3").arg(number, unit, caption));
+          .arg(t.text3.name(), unit, t.text2.name(), caption, t.amber.name(), change));
+  label->setAccessibleName(name);
   constexpr const char* own = "tipOfTheForm";
   if (!label->property(own).isValid()) label->setProperty(own, label->toolTip());
   label->setToolTip(tip.isEmpty() ? label->property(own).toString() : tip);
@@ -90,6 +128,10 @@ DesignNumbersWidget::DesignNumbersWidget(const SessionModel* model, Form form)
   m_ui->column->insertWidget(1, m_bar);
   if (form == Form::strip) arrangeStrip();
   onAnyChange(model, this, &DesignNumbersWidget::showNumbers);
+  connect(model, &SessionModel::opened, this, [this] {
+    m_opened = m_model->session().display;
+    showNumbers();
+  });
   showNumbers();
 }
 
@@ -100,9 +142,11 @@ void DesignNumbersWidget::arrangeStrip() {
   m_ui->designCard->setObjectName("designStrip");
   m_ui->number4->hide();
   int column = 0;
-  for (QLabel* cell : {m_ui->number1, m_ui->number2, m_ui->number3, m_ui->number6, m_ui->number5}) {
+  for (const auto& [cell, width] :
+       {std::pair(m_ui->number1, 5), std::pair(m_ui->number2, 6), std::pair(m_ui->number3, 5),
+        std::pair(m_ui->number6, 7), std::pair(m_ui->number5, 4)}) {
     cell->setObjectName(QStringLiteral("strip_") + cell->objectName());
-    m_ui->cardLayout->setColumnStretch(column, cell == m_ui->number6 ? 2 : 1);
+    m_ui->cardLayout->setColumnStretch(column, width);
     m_ui->cardLayout->addWidget(cell, 0, column++);
   }
 }
@@ -122,8 +166,11 @@ void DesignNumbersWidget::setSource(const std::optional<ViewSource>& source) {
 }
 
 /// Returns zeros if they cannot be worked out.
-DesignNumbers DesignNumbersWidget::numbers() const {
-  const PanelParams display = withCounts(displayOf(m_model->session()), m_known);
+DesignNumbers DesignNumbersWidget::numbersOf(const DisplayParams& params) const {
+  Session session = m_model->session();
+  session.display = params;
+  if (params.sheet) return {};
+  const PanelParams display = withCounts(displayOf(session), m_known);
   if (display.hogels[0] < 1 || display.directions[0] < 1) return {};
   try {
     return designNumbers(display, m_model->current().camera.eye);
@@ -151,14 +198,33 @@ std::optional<SheetNumbers> DesignNumbersWidget::numbersOfSheet() const {
 
 void DesignNumbersWidget::showHogels(const DesignNumbers& n) {
   const bool isStrip = m_bar->isHidden();
+  const DesignNumbers before = isStrip ? numbersOf(m_opened) : DesignNumbers();
   for (const NumberCell& cell : std::initializer_list<NumberCell>{
-           {m_ui->number1, inDigits(n.hogelPitch, 1000), tr("mm"), tr("hogel pitch")},
-           {m_ui->number2, inDigits(n.hogelArcmin), tr("arcmin"),
-            isStrip ? tr("at the eye") : tr("hogel pitch at the eye")},
-           {m_ui->number3, inDigits(n.degreesPerDirection), "°", tr("each direction")},
+           {m_ui->number1,
+            inDigits(n.hogelPitch, 1000),
+            tr("mm"),
+            tr("hogel pitch"),
+            {},
+            changeText(n.hogelPitch[0], before.hogelPitch[0])},
+           {m_ui->number2,
+            inDigits(n.hogelArcmin),
+            tr("arcmin"),
+            isStrip ? tr("at the eye") : tr("hogel pitch at the eye"),
+            {},
+            changeText(n.hogelArcmin[0], before.hogelArcmin[0])},
+           {m_ui->number3,
+            inDigits(n.degreesPerDirection),
+            "°",
+            tr("each direction"),
+            {},
+            changeText(n.degreesPerDirection[0], before.degreesPerDirection[0])},
            {m_ui->number4, inDigits(n.directionsPerPupil), "", tr("directions in the pupil")},
-           {m_ui->number5, inDigits(n.megapixels), tr("Mpx"),
-            isStrip ? tr("pixels") : tr("pixels behind lenses")}})
+           {m_ui->number5,
+            inDigits(n.megapixels),
+            tr("Mpx"),
+            isStrip ? tr("pixels") : tr("pixels behind lenses"),
+            {},
+            changeText(n.megapixels, before.megapixels)}})
     fillCell(cell);
 }
 
@@ -176,7 +242,7 @@ void DesignNumbersWidget::showSheet(const SheetNumbers& n) {
            {m_ui->number4, inDigits(n.lobe), tr("views"), tr("in one place, rms"),
             tr("What one place sees about its own view: the width of a sub-pixel and the lenses' "
                "slant mix neighbours")},
-           {m_ui->number5, inDigits(100 * n.pseudoscopic(ipd)), "%", tr("see eyes swapped"),
+           {m_ui->number5, inDigits(100 * n.pseudoscopic(ipd)), "%", tr("eyes swapped"),
             tr("The share of places of a head from which a flip lies between its eyes, so that "
                "they see their pictures exchanged")}})
     fillCell(cell);
@@ -190,7 +256,7 @@ void DesignNumbersWidget::showNumbers() {
     showSheet(*sheet);
     m_bar->sharp = *sheet;
   } else {
-    const DesignNumbers hogels = numbers();
+    const DesignNumbers hogels = numbersOf(m_model->session().display);
     showHogels(hogels);
     m_bar->sharp = hogels;
   }
@@ -213,6 +279,10 @@ void DesignNumbersWidget::showNumbers() {
   m_ui->depthLegend->setText(QString("<span style='font-size: %1px; color: %2'>%3</span>")
                                  .arg(textFont(TextSize::caption).pixelSize())
                                  .arg(t.text2.name(), legend));
+}
+
+void DesignNumbersWidget::resizeEvent(QResizeEvent*) {
+  showNumbers();
 }
 
 void DesignNumbersWidget::changeEvent(QEvent* event) {

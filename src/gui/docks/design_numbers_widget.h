@@ -23,7 +23,8 @@ struct ViewSource;
 
 class DesignNumbersWidget : public QWidget {
  public:
-  /// A card of two columns over the depths, or a row of numbers alone.
+  /// A card of two columns over the depths, or a row of numbers alone with their changes since the
+  /// session was opened.
   enum class Form { card, strip };
 
   explicit DesignNumbersWidget(const SessionModel* model, Form form = Form::card);
@@ -34,6 +35,7 @@ class DesignNumbersWidget : public QWidget {
   void setSource(const std::optional<ViewSource>& source);
 
  protected:
+  void resizeEvent(QResizeEvent* event) override;
   void changeEvent(QEvent* event) override;
 
  private:
@@ -41,12 +43,13 @@ class DesignNumbersWidget : public QWidget {
   void showNumbers();
   void showHogels(const DesignNumbers& numbers);
   void showSheet(const SheetNumbers& numbers);
-  [[nodiscard]] DesignNumbers numbers() const;
+  [[nodiscard]] DesignNumbers numbersOf(const DisplayParams& display) const;
   [[nodiscard]] std::optional<SheetNumbers> numbersOfSheet() const;
 
   std::unique_ptr<Ui::DesignNumbers> m_ui;
   const SessionModel* m_model;
-  DisplayParams m_known;  ///< the display of the light field
+  DisplayParams m_known;   ///< the display of the light field
+  DisplayParams m_opened;  ///< A: as it was opened
   DepthBar* m_bar;
 };
 

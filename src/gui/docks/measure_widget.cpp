@@ -23,6 +23,7 @@
 #include "gui/docks/painted_plot.h"
 #include "gui/docks/sweep_widget.h"
 #include "gui/session/session_forms.h"
+#include "gui/widgets/column_area.h"
 #include "gui/widgets/task_widgets.h"
 #include "measure/measure_page.h"
 
@@ -55,10 +56,10 @@ MeasureWidget::MeasureWidget(QWidget* parent)
     : QWidget(parent),
       m_task(new Task(this)),
       m_status(new QLabel),
-      m_fit(new QPushButton(tr("&Move content into these depths"))),
+      m_fit(new QPushButton(tr("&Move content inside"))),
       m_tints(new QCheckBox(tr("&Tint depths outside"))),
       m_limit(new QComboBox),
-      m_area(new QScrollArea),
+      m_area(new ColumnArea),
       m_controls(new QVBoxLayout),
       m_right(new QVBoxLayout) {
   constexpr int restTime = 400;  // ms
@@ -68,8 +69,7 @@ MeasureWidget::MeasureWidget(QWidget* parent)
   controls->setLayout(m_controls);
   m_controls->setSpacing(scaled(12));
   m_area->setWidget(controls);
-  m_area->setWidgetResizable(true);
-  m_area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  m_area->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Expanding);
   auto* columns = new QHBoxLayout(this);
   columns->setContentsMargins(0, 0, 0, 0);
   columns->setSpacing(0);
@@ -125,8 +125,6 @@ void MeasureWidget::addControls() {
     m_controls->addWidget(widget);
   m_controls->addStretch(1);
   m_fit->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
-  constexpr int scrollBar = 10;
-  m_area->setFixedWidth(m_area->widget()->minimumSizeHint().width() + scaled(scrollBar));
   connect(m_fit, &QPushButton::clicked, this, &MeasureWidget::fit);
   connect(m_tints, &QCheckBox::toggled, this, &MeasureWidget::showTint);
   connect(m_limit, &QComboBox::currentIndexChanged, this, [this] {
@@ -321,8 +319,7 @@ void MeasureWidget::showFit() {
   const bool isFit =
       m_shown.proposal && m_shown.proposal->session.lightField == m_model->session().lightField;
   m_fit->setEnabled(m_shown.proposal && !isFit);
-  m_fit->setText(tr("&Move content into these depths (%1 % inside)")
-                     .arg(int(std::lround(100 * figures.inside))));
+  m_fit->setText(tr("&Move content inside (%1 % now)").arg(int(std::lround(100 * figures.inside))));
   m_fit->setToolTip(m_shown.proposal
                         ? (isFit ? tr("The content fits already")
                                  : QString::fromStdString(placeText(*m_shown.proposal)))

@@ -5,7 +5,6 @@
 #include <QDockWidget>
 #include <QFileInfo>
 #include <QMainWindow>
-#include <QScrollArea>
 #include <QSettings>
 #include <QTimer>
 #include <QVBoxLayout>
@@ -16,6 +15,7 @@
 #include "gui/docks/parameter_docks.h"
 #include "gui/session/session_forms.h"
 #include "gui/session/session_model.h"
+#include "gui/widgets/column_area.h"
 #include "gui/widgets/section.h"
 #include "io/documents/light_field_params.h"
 
@@ -65,7 +65,7 @@ QStringList summariesOf(const Session& session, const CameraState& state) {
 
 Properties::Properties(SessionModel* model, QAction* importAction, QMainWindow* window)
     : m_model(model),
-      m_area(new QScrollArea),
+      m_area(new ColumnArea),
       m_column(new QVBoxLayout),
       m_lightField(new LightFieldDock(model)),
       m_numbers(new DesignNumbersWidget(model)),
@@ -105,7 +105,6 @@ Properties::Properties(SessionModel* model, QAction* importAction, QMainWindow* 
   auto* column = new QWidget;
   column->setLayout(m_column);
   m_area->setWidget(column);
-  m_area->setWidgetResizable(true);
   m_area->setObjectName("propertiesArea");
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);

@@ -91,6 +91,26 @@ QString labelTextOf(const Field& field) {
   return toQString(field.label.empty() ? formLabel(field.name) : std::string(field.label));
 }
 
+/// How a field's numbers are shown: lengths that are usually small in millimetres or micrometres.
+struct ShownUnit {
+  QString text;
+  double factor = 1;  ///< shown number per number of the field
+
+  [[nodiscard]] Range range(Range range) const {
+    for (double* value : {&range.min, &range.max, &range.step, &range.slideMin, &range.slideMax})
+      *value *= factor;
+    return range;
+  }
+};
+
+ShownUnit shownUnit(const Field& field) {
+  const Range& range = field.range;
+  const double most = range.slideMin < range.slideMax ? range.slideMax : range.max;
+  for (const auto& [text, factor] : {std::pair("mm", 1e3), std::pair("µm", 1e6)})
+    if (field.unit == "m" && most < 0.5 && most * factor >= 1) return {text, factor};
+  return {toQString(field.unit)};
+}
+
 /// Returns the allowed values in words; nothing where they are as good as all.
 QString rangeText(const Range& range, const QString& unit) {
   if (!(range.min < range.max) || range.max >= 1e6) return {};
@@ -321,7 +341,7 @@ QString ParameterForm::keyOf(const Field& field, const char* kind) const {
 void ParameterForm::addRow(const Field& field, const QString& key, QWidget* editor) {
   const bool isList = editor->findChildren<QAbstractSpinBox*>().size() > 1;
   auto* label =
-      new FieldLabel(labelTextOf(field), isList ? toQString(field.unit) : QString(), this);
+      new FieldLabel(labelTextOf(field), isList ? shownUnit(field).text : QString(), this);
   label->setBuddy(editor);
   label->reset = [this, key] { reset(key); };
   QList<QWidget*> parts = editor->findChildren<QWidget*>();
@@ -337,7 +357,8 @@ void ParameterForm::addRow(const Field& field, const QString& key, QWidget* edit
 /// Sets a row's tooltip: meaning, range, default, name in documents.
 void ParameterForm::explain(const Field& field, QWidget* row) {
   FieldLabel* label = labelOf(row);
-  QStringList values{rangeText(field.range, toQString(field.unit))};
+  const ShownUnit unit = shownUnit(field);
+  QStringList values{rangeText(unit.range(field.range), unit.text)};
   if (!label->defaultText.isEmpty()) values << tr("default %1").arg(label->defaultText);
   values.removeAll({});
   const QString tip = QString("<p><b>%1</b><br>%2</p><p>%3<br>%4.%5</p>")
@@ -354,19 +375,21 @@ BoxRow<Box>* ParameterForm::newBoxes(const Field& field, std::size_t count, bool
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(scaled(4));
   const bool isPlace = count == 3 && field.range.min < 0;
+  const ShownUnit unit = shownUnit(field);
+  const Range range = unit.range(field.range);
   for (std::size_t k = 0; k < count; ++k) {
     auto* box = new Box(row);
     box->setObjectName(boxName(field, k, isList));
     using Value = typename Box::Value;
-    box->setRange(Value(field.range.min), Value(field.range.max));
-    box->setSingleStep(Value(field.range.step));
+    box->setRange(Value(range.min), Value(range.max));
+    box->setSingleStep(Value(range.step));
     if (isPlace) box->letter = QString("xyz").mid(qsizetype(k), 1);
-    if (count == 1) box->unit = toQString(field.unit);
-    box->usual = usualOf(field.range);
-    box->setAccessibleName(QStringList({labelTextOf(field), count > 1 ? QString::number(k + 1) : "",
-                                        toQString(field.unit)})
-                               .join(' ')
-                               .simplified());
+    if (count == 1) box->unit = unit.text;
+    box->usual = usualOf(range);
+    box->setAccessibleName(
+        QStringList({labelTextOf(field), count > 1 ? QString::number(k + 1) : "", unit.text})
+            .join(' ')
+            .simplified());
     if (field.range.mayBeLeftOut) box->mayBeLeftOut();
     layout->addWidget(box);
     row->boxes.push_back(box);
@@ -381,25 +404,29 @@ void ParameterForm::boxes(const Field& field, std::span<Number> values, bool isL
   BoxRow<Box>* row = editor(field, [&] { return newBoxes<Box>(field, values.size(), isList); });
   if (skipsRow(row)) return;
   const std::vector<Number> before(values.begin(), values.end());
+  const ShownUnit unit = shownUnit(field);
+  const Range range = unit.range(field.range);
   QStringList words;
   bool isShown = true;
   for (std::size_t k = 0; k < values.size(); ++k) {
     Box* box = row->boxes[k];
+    const Number shown = unit.factor == 1 ? values[k] : Number(unit.factor * values[k]);
     if (m_pass == Pass::compare) {
       const bool isGiven = !field.range.mayBeLeftOut || values[k] >= field.range.min;
-      words << (isGiven ? (box->textFromValue(values[k]) + " " + toQString(field.unit)).trimmed()
+      words << (isGiven ? (box->textFromValue(shown) + " " + unit.text).trimmed()
                         : box->specialValueText());
-      isShown &= isGiven ? std::abs(double(box->value()) - double(values[k])) < 1e-12
-                         : box->value() < field.range.min;
+      isShown &= isGiven ? std::abs(double(box->value()) - double(shown)) < 1e-12
+                         : box->value() < range.min;
     } else if (m_pass == Pass::apply) {
-      if (box == m_edited || row == m_edited) values[k] = valueInRange(*box, field.range);
+      if (box == m_edited || row == m_edited)
+        values[k] = Number(valueInRange(*box, range) / unit.factor);
       const auto link = m_links.find(toQString(field.name));
       if (box == m_edited && values[k] != before[k] && link != m_links.end() &&
           link->button->isChecked())
         link->pair.follow(field.range, std::span<const Number>(before), values);
     } else {
       const QSignalBlocker quiet(box);
-      box->setValue(values[k]);
+      box->setValue(shown);
     }
   }
   if (m_pass == Pass::compare) takeDefault(field, row, words.join(", "), isShown);

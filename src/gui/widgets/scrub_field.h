@@ -66,14 +66,18 @@ class ScrubField : public Box {
   QValidator::State validate(QString& text, int& position) const override {
     return isLeftOut(text) ? QValidator::Acceptable : Box::validate(text, position);
   }
-  [[nodiscard]] QSize sizeHint() const override { return {scaled(36), scaled(24)}; }
+  /// Whether the field has room for its text.
+  [[nodiscard]] bool isWideEnough() const {
+    const auto [text, font] = shown();
+    return QFontMetrics(font).horizontalAdvance(text) <= textRect().width();
+  }
+  [[nodiscard]] QSize sizeHint() const override { return {scaled(54), scaled(24)}; }
   [[nodiscard]] QSize minimumSizeHint() const override { return sizeHint(); }
 
  protected:
   /// The tooltip begins with the value in all digits, where fewer are shown.
   bool event(QEvent* event) override {
-    if (event->type() != QEvent::ToolTip || !isReal || showsLeftOut())
-      return Box::event(event);
+    if (event->type() != QEvent::ToolTip || !isReal || showsLeftOut()) return Box::event(event);
     const QString all =
         this->locale().toString(double(this->value()), 'g', QLocale::FloatingPointShortest);
     if (all == shown().text) return Box::event(event);
