@@ -346,7 +346,13 @@ class TestHabits : public HabitsTest {
     auto* note = manual->findChild<QLabel*>("manualNote");
     QTest::keyClick(manual, Qt::Key_F, Qt::ControlModifier);
     QTRY_VERIFY_WITH_TIMEOUT(search->hasFocus(), patience);
-    QTest::keyClicks(search, "serpentine");
+    QTest::keyClicks(search, "serpentine");  // found while it is typed
+    QVERIFY2(note->text().endsWith("2 chapters"), qPrintable(note->text()));
+    int listed = 0;
+    for (int k = 0; k < contents->topLevelItemCount(); ++k)
+      listed += contents->topLevelItem(k)->isHidden() ? 0 : 1;
+    QCOMPARE(listed, 2);
+    QCOMPARE(page->textCursor().selectedText().toLower(), "serpentine");
     QTest::keyClick(search, Qt::Key_Return);
     QCOMPARE(page->textCursor().selectedText().toLower(), "serpentine");
     QStringList found;
@@ -363,6 +369,11 @@ class TestHabits : public HabitsTest {
     QCOMPARE(note->text(), "Not found");
     QTest::keyClick(manual, Qt::Key_Escape);
     QVERIFY(!manual->isVisible());
+    action("layoutDesignAction")->trigger();
+    action("manualAction")->trigger();
+    QCOMPARE(page->source().fileName(), "16-measuring.md");
+    manual->close();
+    action("layoutViewAction")->trigger();
   }
 
   void chaptersOfTheManualAreThereWithTheirLinks() {

@@ -50,7 +50,7 @@ int coreCount() {
 std::atomic<int> theThreadCount = coreCount();
 
 /// Whether the system allows a thread for each core. TBB ends the process where it does not.
-bool hasThreads() {
+[[maybe_unused]] bool hasThreads() {
   static const bool areStarted = [] {
     std::latch end(1);
     std::vector<std::jthread> threads;

@@ -50,6 +50,17 @@ QString anchorOf(const QString& heading) {
   return anchor;
 }
 
+/// Returns the chapter of the window's workspace; "" for View, in which people begin.
+QString chapterFor(const QWidget& window) {
+  for (const auto& [workspace, chapter] : {std::pair("layoutCompareAction", "12-view.md#comparing"),
+                                           std::pair("layoutDesignAction", "16-measuring.md"),
+                                           std::pair("layoutMeasureAction", "10-accuracy.md"),
+                                           std::pair("layoutReportAction", "09-reports.md")})
+    if (const auto* action = window.findChild<QAction*>(workspace); action && action->isChecked())
+      return chapter;
+  return {};
+}
+
 }  // namespace
 
 ManualWindow::ManualWindow(QWidget* parent)
@@ -84,6 +95,7 @@ void ManualWindow::addKeys() {
   key(Qt::SHIFT | Qt::Key_F3, [this] { find(QTextDocument::FindBackward); });
   key(Qt::Key_Escape, [this] { close(); });
   connect(m_ui->manualSearch, &QLineEdit::returnPressed, this, [this] { find({}); });
+  connect(m_ui->manualSearch, &QLineEdit::textEdited, this, &ManualWindow::search);
 }
 
 void ManualWindow::readChapters() {
@@ -161,6 +173,30 @@ std::size_t ManualWindow::shownChapter() const {
   return std::size_t(std::ranges::find_if(m_chapters, isShown) - m_chapters.begin());
 }
 
+void ManualWindow::showChapter(const QString& name) {
+  m_ui->manualPage->setSource(firstPage.resolved(QUrl(name)));
+}
+
+/// Says how many places have the words, lists only chapters that do, and shows the first place.
+void ManualWindow::search(const QString& words) {
+  int places = 0, chapters = 0;
+  for (std::size_t k = 0; k < m_chapters.size(); ++k) {
+    int found = 0;
+    for (QTextCursor at = m_chapters[k].text->find(words); !words.isEmpty() && !at.isNull();
+         at = m_chapters[k].text->find(words, at))
+      ++found;
+    places += found;
+    chapters += found > 0 ? 1 : 0;
+    QTreeWidgetItem* chapter = m_ui->manualContents->topLevelItem(int(k));
+    if (chapter != nullptr) chapter->setHidden(!words.isEmpty() && found == 0);
+  }
+  m_ui->manualPage->moveCursor(QTextCursor::Start);
+  if (places > 0) find({});
+  m_ui->manualNote->setText(words.isEmpty() ? QString()
+                            : places > 0    ? tr("%1 places, %2 chapters").arg(places).arg(chapters)
+                                            : tr("Not found"));
+}
+
 /// Goes on in the next chapters, the first after the last, and in the rest of its own at the end.
 void ManualWindow::find(QTextDocument::FindFlags flags) {
   const QString words = m_ui->manualSearch->text();
@@ -190,6 +226,8 @@ void addHelp(QMenu* menu, QWidget* window) {
              window, [window] {
                auto* manual = window->findChild<ManualWindow*>();
                if (manual == nullptr) manual = new ManualWindow(window);
+               const QString chapter = chapterFor(*window);
+               if (!manual->isVisible() && !chapter.isEmpty()) manual->showChapter(chapter);
                manual->show();
                manual->raise();
                manual->activateWindow();

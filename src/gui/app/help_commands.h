@@ -33,6 +33,9 @@ class ManualWindow : public QWidget {
   explicit ManualWindow(QWidget* parent);
   ~ManualWindow() override;
 
+  /// Shows a chapter, such as "12-view.md#comparing".
+  void showChapter(const QString& name);
+
  private:
   struct Chapter {
     QUrl url;
@@ -47,13 +50,15 @@ class ManualWindow : public QWidget {
   void scrollTo(const QString& anchor);
   void selectHeading(const QUrl& url);
   [[nodiscard]] std::size_t shownChapter() const;
+  void search(const QString& words);
   void find(QTextDocument::FindFlags flags);
 
   std::unique_ptr<Ui::ManualWindow> m_ui;
   std::vector<Chapter> m_chapters;
 };
 
-/// Fills the Help menu: the manual and the About box, which open over `window`.
+/// Fills the Help menu: the manual, which opens at the chapter of the window's workspace, and the
+/// About box. Both open over `window`.
 void addHelp(QMenu* menu, QWidget* window);
 
 }  // namespace hogelscope

@@ -80,6 +80,8 @@ MainWindow::MainWindow(QWidget* parent)
   m_stateBox->setObjectName("stateBox");
   m_stateBox->setToolTip(tr("The current camera state"));
   m_stateBox->setMinimumContentsLength(8);
+  m_stateBox->setSizeAdjustPolicy(QComboBox::AdjustToContents);
+  m_stateBox->setMaximumWidth(scaled(240));
   m_stateBox->setFocusPolicy(Qt::TabFocus);  // keys still move the camera after a click
   addDocks();
   connectActions();

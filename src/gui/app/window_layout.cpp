@@ -213,6 +213,12 @@ void WindowLayout::leaveHome() {
   m_parts.view->show();
   if (m_before.isEmpty()) return arrange(m_workspaces.front());
   m_window->restoreState(std::exchange(m_before, {}), version);
+  const QString last = QSettings().value("window/workspace").toString();
+  for (const Workspace& workspace : m_workspaces) {
+    if (workspace.action->objectName() != last) continue;
+    workspace.action->setChecked(true);
+    m_window->centralWidget()->setVisible(workspace.hasView);
+  }
 }
 
 /// Shows one view alone. A second call restores the docks.
@@ -283,6 +289,8 @@ void WindowLayout::save() const {
   QSettings settings;
   settings.setValue("window/version", version);
   settings.setValue("window/geometry", m_window->saveGeometry());
+  if (const QAction* workspace = m_group->checkedAction())
+    settings.setValue("window/workspace", workspace->objectName());
   if (!m_before.isEmpty() || !isHome())
     settings.setValue("window/docks", m_before.isEmpty() ? m_window->saveState(version) : m_before);
 }

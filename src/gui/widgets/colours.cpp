@@ -106,7 +106,7 @@ QString styleSheetOf(const Tokens& t) {
         std::pair("@focus", t.focus), std::pair("@primary", t.primary),
         std::pair("@selectionText", t.selectionText), std::pair("@selection", t.selection)})
     sheet.replace(QString(name) + ';', colour.name() + ';');
-  for (const int pixels : {4, 8, 11, 12, 13, 15, 22, 34})
+  for (const int pixels : {4, 8, 11, 12, 13, 15, 16, 22, 34})
     sheet.replace(QString("@%1px").arg(pixels), QString("%1px").arg(scaled(pixels)));
   return sheet;
 }

@@ -374,7 +374,9 @@ BoxRow<Box>* ParameterForm::newBoxes(const Field& field, std::size_t count, bool
   auto* layout = new QHBoxLayout(row);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(scaled(4));
-  const bool isPlace = count == 3 && field.range.min < 0;
+  // Three numbers are a place, a direction, or those of the three colours, as the help says.
+  const bool areColours = field.help.find("red, green") != std::string_view::npos;
+  const QString letters = areColours ? "rgb" : field.range.min < 0 ? "xyz" : "";
   const ShownUnit unit = shownUnit(field);
   const Range range = unit.range(field.range);
   for (std::size_t k = 0; k < count; ++k) {
@@ -383,7 +385,7 @@ BoxRow<Box>* ParameterForm::newBoxes(const Field& field, std::size_t count, bool
     using Value = typename Box::Value;
     box->setRange(Value(range.min), Value(range.max));
     box->setSingleStep(Value(range.step));
-    if (isPlace) box->letter = QString("xyz").mid(qsizetype(k), 1);
+    if (count == 3) box->letter = letters.mid(qsizetype(k), 1);
     if (count == 1) box->unit = unit.text;
     box->usual = usualOf(range);
     box->setAccessibleName(

@@ -8,6 +8,7 @@
 #include "core/base/error.h"
 #include "core/base/text.h"
 #include "core/cameras/state_list_edits.h"
+#include "io/documents/light_field_params.h"
 #include "io/documents/session_parts.h"
 #include "io/documents/sheet_file.h"
 #include "io/documents/twin_file.h"
