@@ -1,15 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a person has to do for four tasks, in the real window: clicks, keys and typed names. The
+// What a person has to do for nine tasks, in the real window: clicks, keys and typed names. The
 // steps are the shortest way that the menus and docks show; a change that needs more fails.
 #include <QAbstractButton>
+#include <QAction>
 #include <QComboBox>
 #include <QFileDialog>
 #include <QLabel>
 #include <QLineEdit>
 #include <QListView>
+#include <QMenu>
 #include <QPushButton>
+#include <QScrollArea>
 #include <QTableView>
 #include <QTimer>
+#include <QToolButton>
 #include <QTreeView>
 
 #include "gui/docks/report_dock.h"
@@ -28,8 +32,28 @@ class TestTasks : public WindowTest {
   void theWorstViewAndWhy();
   void whyIsThisPixelBlack();
   void aDisplayForTheRoomByKeysAlone();
+  void theRoomOnADisplayOfTheLibrary();
+  void aTolerance();
+  void anExport();
+  void anotherMetric();
 
  private:
+  /// Opens the live sample from the home page.
+  void openRoom() {
+    showWindow({1280, 800});
+    child<QAbstractButton>("roomSample")->click();
+    QTRY_VERIFY_WITH_TIMEOUT(hasPicture(), patience);
+  }
+  /// Presses Return in the modal dialogs that come next.
+  void acceptDialogs(int count) {
+    QTimer::singleShot(50, this, [this, count] {
+      auto* dialog = qobject_cast<QDialog*>(QApplication::activeModalWidget());
+      if (dialog == nullptr || !dialog->isVisible()) return acceptDialogs(count);
+      if (count > 1) acceptDialogs(count - 1);
+      ++m_steps;
+      QTest::keyClick(dialog, Qt::Key_Return);
+    });
+  }
   void press(Qt::Key which, Qt::KeyboardModifiers modifiers = {}) {
     key(which, modifiers);
     ++m_steps;
@@ -200,6 +224,65 @@ void TestTasks::aDisplayForTheRoomByKeysAlone() {
   QCOMPARE(display.fov[0], 50.0);
   QVERIFY2(m_steps <= 25, qPrintable(QString::number(m_steps)));
   QTRY_VERIFY_WITH_TIMEOUT(hasPicture(), patience);
+}
+
+/// The key, and the picture is a wipe between the displays.
+void TestTasks::theRoomOnADisplayOfTheLibrary() {
+  openRoom();
+  press(Qt::Key_1, Qt::ControlModifier | Qt::AltModifier | Qt::ShiftModifier);
+  const auto* view = child<ImageWidget>("pictureView");
+  QTRY_VERIFY_WITH_TIMEOUT(hasPicture() && view->hasTwo(), patience);
+  QCOMPARE(view->titles(), QStringList({"The paper's display", "Display before"}));
+  QVERIFY((m_model->session().display.hogels == std::array{512, 512}));
+  QVERIFY(m_steps <= 2);
+}
+
+/// The workspace, the parameter, Sweep, the limit.
+void TestTasks::aTolerance() {
+  start();
+  QTRY_VERIFY_WITH_TIMEOUT(hasPicture(), patience);
+  press(Qt::Key_3, Qt::ControlModifier | Qt::AltModifier);
+  child<QComboBox>("sweepParameter")->setCurrentText("Lens array · Rotation");
+  ++m_steps;
+  child<QScrollArea>("measureControls")->ensureWidgetVisible(child<QWidget>("sweepButton"));
+  click("sweepButton");
+  auto* limit = child<QDoubleSpinBox>("sweepLimit");
+  QTRY_VERIFY_WITH_TIMEOUT(child<QPushButton>("sweepButton")->text() == "S&weep", patience);
+  limit->setValue(30);
+  ++m_steps;
+  const QString answer = child<QLabel>("sweepAnswer")->text();
+  QVERIFY2(answer.startsWith("PSNR to the design ≥ 30"), qPrintable(answer));
+  QCOMPARE(m_steps, 4);
+}
+
+/// The key, Return for hogels, Return for the name that is proposed.
+void TestTasks::anExport() {
+  QSettings().setValue("lastFolder", m_folder.path());
+  start();
+  QTRY_VERIFY_WITH_TIMEOUT(hasPicture(), patience);
+  QFile::remove("hogels.png");
+  QSettings().setValue("lastFolder", m_folder.path());
+  acceptDialogs(2);
+  press(Qt::Key_L, Qt::ControlModifier | Qt::AltModifier);
+  QTRY_VERIFY_WITH_TIMEOUT(QFileInfo::exists("hogels.png"), patience);
+  QTRY_VERIFY_WITH_TIMEOUT(message().contains("Saved"), patience);
+  QCOMPARE(m_steps, 3);
+}
+
+/// In the report's workspace: the menu and a metric.
+void TestTasks::anotherMetric() {
+  start();
+  QTRY_VERIFY_WITH_TIMEOUT(hasPicture(), patience);
+  child<QAction>("layoutReportAction")->trigger();
+  QMenu* menu = child<QToolButton>("metricsButton")->menu();
+  QVERIFY(!child<QWidget>("metricsButton")->visibleRegion().isEmpty());
+  Q_EMIT menu->aboutToShow();
+  ++m_steps;
+  QVERIFY(!menu->actions().isEmpty() && menu->actions().front()->isEnabled());
+  menu->actions().front()->trigger();
+  ++m_steps;
+  QCOMPARE(m_model->session().metrics.size(), std::size_t(1));
+  QCOMPARE(m_steps, 2);
 }
 
 int main(int argc, char** argv) {

@@ -68,6 +68,7 @@ MeasureWidget::MeasureWidget(QWidget* parent)
   auto* controls = new QWidget;
   controls->setLayout(m_controls);
   m_controls->setSpacing(scaled(12));
+  m_area->setObjectName("measureControls");
   m_area->setWidget(controls);
   m_area->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Expanding);
   auto* columns = new QHBoxLayout(this);
