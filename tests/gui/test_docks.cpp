@@ -212,7 +212,7 @@ class TestDocks : public DocksTest {
     editor<QDoubleSpinBox>("cameraArea", "eye.2")->setValue(0.7);  // nothing to render it from
     QTest::qWait(100);
     QVERIFY2(!message().startsWith("Reading"), qPrintable(message()));
-    QCOMPARE(contents->text(), QString("Nothing is in memory."));
+    QCOMPARE(contents->text(), QString("No light field has been read."));
     for (const char* name : {"directions.0", "directions.1"})
       editor<QSpinBox>("displayArea", name)->setValue(10);
     QTRY_VERIFY_WITH_TIMEOUT(message().contains(" ms"), patience);

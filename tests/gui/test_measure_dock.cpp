@@ -66,7 +66,7 @@ class TestMeasureDock : public WindowTest {
     const QImage zone = picture("zonePlot");
     // An edit is followed at once.
     editDisplay([](DisplayParams& display) { display.fov = {30, 30}; });
-    QCOMPARE(status(), QString("Closed forms"));
+    QCOMPARE(status(), QString("By formulas; the simulation follows"));
     QVERIFY(picture("contrastPlot") != contrast);
     QVERIFY(picture("zonePlot") != zone);
     QTRY_VERIFY_WITH_TIMEOUT(status().startsWith("Simulated"), patience);

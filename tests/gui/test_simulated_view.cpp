@@ -262,7 +262,7 @@ class TestSimulatedView : public QObject {
     const Image own = expected(m_ownFile, state);
     const Image other = expected(m_otherFile, state);
     const auto words = [](const std::vector<double>& values) {
-      return QString("PSNR seen %1 dB SSIM seen %2 Seen")
+      return QString("PSNR %1 dB SSIM %2 Seen in both")
           .arg(values[psnrSeenColumn], 0, 'f', 2)
           .arg(values[ssimSeenColumn], 0, 'f', 4);
     };

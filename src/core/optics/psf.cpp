@@ -24,7 +24,7 @@ void describe(ParameterVisitor& v, PsfParams& p) {
           "Full width of the window, odd: 1, 3, 5, …; 1 is no leakage.");
   v.field("border", border, borderNames,
           "At the hogel's edge: weigh what is inside, repeat the edge pixel, or lose the light.");
-  v.field({"light", "Light is summed"}, light, lightNames,
+  v.field({"light", "Light is added"}, light, lightNames,
           "Sum the stored values, as the paper does, or sum linear light (decoded from sRGB).");
 }
 

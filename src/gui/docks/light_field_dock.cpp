@@ -100,7 +100,7 @@ void LightFieldDock::setWeave(bool isAnother) {
 }
 
 void LightFieldDock::setSource(const std::optional<ViewSource>& source) {
-  if (!source) return m_contents->setText(tr("Nothing is in memory."));
+  if (!source) return m_contents->setText(tr("No light field has been read."));
   const LightFieldSize size = source->lightField->size();
   if (source->display.sheet)
     return m_contents->setText(tr("The picture of the lens sheet's panel, %1×%2 px, is in memory.")

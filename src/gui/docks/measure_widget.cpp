@@ -257,7 +257,7 @@ void MeasureWidget::showClosedForms() {
       m_shown.zone = zoneMap(bench, figures);
     }
     if (!hasDirections(m_model->session().display)) m_shown.depths.reset();
-    showStatus(tr("Closed forms"));
+    showStatus(tr("By formulas; the simulation follows"));
   } catch (const std::exception& error) {
     showStatus(QString::fromUtf8(error.what()));
   }

@@ -95,12 +95,14 @@ namespace {
 QString words(const std::vector<double>& values) {
   const MetricSet metrics;
   QStringList parts;
-  for (const std::size_t index : {psnrSeenColumn, ssimSeenColumn, seenColumn}) {
+  for (const auto& [index, title] : {std::pair(psnrSeenColumn, ComparisonMeter::tr("PSNR")),
+                                     std::pair(ssimSeenColumn, ComparisonMeter::tr("SSIM")),
+                                     std::pair(seenColumn, ComparisonMeter::tr("Seen in both"))}) {
     const MetricColumn& column = metrics.columns()[index];
     const QString unit =
         std::isfinite(values[index]) ? QString::fromStdString(column.unit) : QString();
     parts << QStringLiteral("%1 <b style='font-size:%2px'>%3</b> %4")
-                 .arg(QString::fromStdString(column.title).toHtmlEscaped())
+                 .arg(title)
                  .arg(textFont(TextSize::number).pixelSize())
                  .arg(QString::fromStdString(tableText(column, values[index])), unit)
                  .trimmed();
@@ -112,7 +114,9 @@ QString words(const std::vector<double>& values) {
 
 QString textOf(const ComparisonFigures& figures) {
   if (figures.whole.empty()) return {};
-  QString text = words(figures.whole);
+  QString text = words(figures.whole) +
+                 QStringLiteral(" &nbsp; <span style='color: %1'>%2</span>")
+                     .arg(tokens().text3.name(), ComparisonMeter::tr("over what both see"));
   if (!figures.inRegion.empty())
     text += "<br>" + ComparisonMeter::tr("Rectangle %1 × %2 at %3, %4: %5")
                          .arg(figures.region.width())

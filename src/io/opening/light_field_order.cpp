@@ -165,7 +165,7 @@ class Judgement {
     } else if (std::abs(correlation) < clearCorrelation) {
       m_reason = "the views do not show what is near and what is far";
     } else if (fitsMotion(m_order, correlation)) {
-      m_reason = evidence() + ": columns and rows fit each other, but little tells near from far";
+      m_reason = evidence() + ": rows and columns agree, but little tells near from far";
     } else {
       m_order = seen;
       m_reason = evidence() + ": columns or rows are reversed, but little tells which";
