@@ -10,6 +10,7 @@
 #include "gui/docks/report_results.h"
 #include "report/report_run.h"
 
+class QLabel;
 class QMenu;
 
 namespace Ui {
