@@ -192,12 +192,11 @@ void WindowLayout::resize(const Workspace& workspace) {
   const int height = m_window->height();
   const bool hasScene = workspace.docks.contains(m_parts.scene);
   // The scene is above the states: even hidden it would give them its width.
-  m_window->resizeDocks(
-      {hasScene ? m_parts.scene : m_parts.states, m_parts.properties, m_parts.measure,
-       m_parts.tradeoff},
-      {hasScene ? atWidth(width, 320, 640) : 230, atWidth(width, 312, 340), 2 * width / 3,
-       3 * width / 5},
-      Qt::Horizontal);
+  m_window->resizeDocks({hasScene ? m_parts.scene : m_parts.states, m_parts.properties,
+                         m_parts.measure, m_parts.tradeoff},
+                        {hasScene ? atWidth(width, 320, 640) : 230, atWidth(width, 312, 340),
+                         2 * width / 3, 3 * width / 5},
+                        Qt::Horizontal);
   m_window->resizeDocks({m_parts.scene, m_parts.states}, {height * 11 / 20, height * 9 / 20},
                         Qt::Vertical);
 }
