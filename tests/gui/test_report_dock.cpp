@@ -99,6 +99,7 @@ class TestReportDock : public QObject {
   void errors();
   void metricsOfPlugins();
   void metricsAreChosen();
+  void aSecondReportIsSortedToo();
   void unknownMetrics();
   void editsAreNoted();
   void unsavedEditsHaveAHeading();
@@ -762,6 +763,33 @@ void TestReportDock::metricsAreChosen() {
   model->undoStack()->undo();
   QVERIFY(model->session().metrics.empty());
   QVERIFY(!actionOf("ms-ssim")->isChecked());
+}
+
+/// Worst first, by the column with the arrow.
+void TestReportDock::aSecondReportIsSortedToo() {
+  make();
+  const auto isSorted = [this] {
+    double before = -1;
+    for (int row = 0; row < stateCount; ++row) {
+      const double now = cell(row, StateTable::psnr).toDouble();
+      if (now < before) return false;
+      before = now;
+    }
+    return before > 0;
+  };
+  QVERIFY(isSorted());
+  auto* model = m_window->findChild<SessionModel*>();
+  model->edit("Sigma", [](Session& session) {
+    for (std::size_t k = 0; k < session.cameras.size(); ++k)
+      session.cameras[k].psf = {.sigma = 2 - 0.3 * double(k), .windowSize = 7};
+  });
+  const QStringList before = states();
+  click("makeReportButton");
+  if (child<QPushButton>("makeReportButton")->text().startsWith("&Replace"))
+    click("makeReportButton");
+  QTRY_VERIFY_WITH_TIMEOUT(child<QLabel>("reportNote")->text().contains("mean of the finite"),
+                           patience);
+  QVERIFY2(isSorted(), qPrintable(states().join(' ')));
 }
 
 void TestReportDock::unknownMetrics() {

@@ -147,7 +147,8 @@ class StateRows : public QAbstractListModel {
                          [](double x) { return std::isfinite(x); });
     if (finite.empty()) return 1;
     const auto [least, most] = std::ranges::minmax(finite);
-    return least < most ? std::clamp((dB - least) / (most - least), 0.0, 1.0) : 1;
+    if (least == most) return std::isinf(dB) ? 1 : 0.5;  // while a report runs
+    return std::clamp((dB - least) / (most - least), 0.0, 1.0);
   }
 
   SessionModel* m_model;
