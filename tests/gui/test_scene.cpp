@@ -403,12 +403,12 @@ class TestScene : public SceneTest {
     const double z = edited("eye").z;
     const auto lineAt = [&](double x, double y, double depth) {
       const QPoint at = onScreen({x, y, depth});
-      return count(painted().copy(QRect(at - QPoint(2, 20), QSize(5, 41))), tokens().good, 60);
+      return count(painted().copy(QRect(at - QPoint(2, 20), QSize(5, 41))), tokens().good, 100);
     };
     const double whole = z * std::tan(radians(30)) - 0.25;
     const double some = z * std::tan(radians(30)) + 0.25;
-    QVERIFY(lineAt(whole, 0, z) > 35);
-    QVERIFY(lineAt(-whole, 0, z) > 35);
+    QVERIFY(lineAt(whole, 0, z) > 25);  // the name of an arrow may lie on it
+    QVERIFY(lineAt(-whole, 0, z) > 25);
     QCOMPARE(lineAt(some, 0, z), 0);  // beyond the window
     scene().approach(0.25);
     const int dashes = lineAt(some, 0, z);
