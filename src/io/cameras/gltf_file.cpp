@@ -60,7 +60,7 @@ class GltfNodes {
     RigidTransform world;
     double scale = 1;
     for (auto at = way.rbegin(); at != way.rend(); ++at) {
-      const auto [own, ownScale] = transformIn(*at);
+      const auto [own, ownScale] = ownTransform(*at);
       world = world * RigidTransform{own.xAxis, own.yAxis, own.zAxis, scale * own.origin};
       scale *= ownScale;
     }
@@ -74,7 +74,7 @@ class GltfNodes {
   static std::string pathOf(std::size_t k) { return "nodes[" + std::to_string(k) + "]."; }
 
   /// Returns a node's own transform, without its scale, and the scale.
-  [[nodiscard]] std::pair<RigidTransform, double> transformIn(std::size_t k) const {
+  [[nodiscard]] std::pair<RigidTransform, double> ownTransform(std::size_t k) const {
     const Json& node = (*m_nodes)[k];
     const std::string path = pathOf(k);
     if (node.contains("matrix")) {
