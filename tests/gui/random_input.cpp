@@ -107,15 +107,18 @@ class RandomInput {
                      : which < 36 ? Qt::Key_0 + int(which) - 26
                      : which < 62 ? Qt::Key_F1 + int(which - 36) % 12
                                   : others[which - 62];
-    QWidget* focus = top->focusWidget() != nullptr ? top->focusWidget() : top;
-    QTest::keyClick(focus, Qt::Key(code), modifiers());
+    press(top, code, modifiers());
   }
   void type(QWidget* top) {
     static const QStringList texts{"0", "-1", "1e9", "nan", "0.05", "100000", "a b", "16"};
-    QWidget* focus = top->focusWidget() != nullptr ? top->focusWidget() : top;
-    const QPointer<QWidget> on = focus;
-    QTest::keyClicks(focus, texts[qsizetype(below(unsigned(texts.size())))]);
-    if (on != nullptr && below(2) == 0) QTest::keyClick(on, Qt::Key_Return);
+    for (const QChar letter : texts[qsizetype(below(unsigned(texts.size())))])
+      press(top, QTest::asciiToKey(letter.toLatin1()), {});
+    if (below(2) == 0) press(top, Qt::Key_Return, {});
+  }
+  /// By the window, since a key may delete the widget that has the focus.
+  static void press(const QPointer<QWidget>& top, int code, Qt::KeyboardModifiers held) {
+    if (top != nullptr && top->windowHandle() != nullptr)
+      QTest::keyClick(top->windowHandle(), Qt::Key(code), held);
   }
   void wheel(QWidget* widget) {
     const QPointF at = placeIn(*widget);

@@ -224,9 +224,19 @@ class TestLiveScenes : public SceneTest {
     child<QAction>("undoAction")->trigger();
     QVERIFY(m_model->session() == before);
     child<QAction>("stopComparingAction")->trigger();
-    QVERIFY(files(*m_window).open(sampleFile));  // a picture has the hogels that it has
-    QTRY_VERIFY_WITH_TIMEOUT(message().contains(" ms"), patience);
-    QVERIFY(!see->isEnabled());
+    // A capture becomes a scene, beside itself on its own display.
+    QVERIFY(files(*m_window).open(sampleFile));
+    QTRY_VERIFY_WITH_TIMEOUT(message().contains(" ms") && see->isEnabled(), patience);
+    const Session stored = m_model->session();
+    see->trigger();
+    const LightFieldParams& shown = m_model->session().lightField;
+    QCOMPARE(shown.source, std::string("session"));
+    QCOMPARE(*shown.content.find<std::string>("file"), m_model->file().toStdString());
+    QTRY_VERIFY_WITH_TIMEOUT(showsWhatIsTrue() && !view()->otherImage().isNull(), patience);
+    QVERIFY(
+        equals(view()->otherImage(), rendered(loadViewSource(stored, {}).job(m_model->current()))));
+    child<QAction>("undoAction")->trigger();
+    QVERIFY(m_model->session() == stored);
   }
 
   void aDamagedMeshIsTold() {

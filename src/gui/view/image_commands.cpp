@@ -23,6 +23,7 @@
 #include "gui/widgets/task_widgets.h"
 #include "io/images/comparison_sheet.h"
 #include "io/images/image_writer.h"
+#include "io/plugins/plugin_library.h"
 #include "io/scene/view_source.h"
 #include "picture/conversions.h"
 
@@ -277,7 +278,10 @@ void ImageCommands::showComparison() {
   for (QAction* action : m_ofRightImage) action->setEnabled(isRight());
   const bool isLive = m_model->session().lightField.isLive();
   m_compareIdeal->setEnabled(hasImage && isLive);
-  for (QAction* action : m_library->actions()) action->setEnabled(hasImage && isLive);
+  const bool isSaved = !m_model->file().isEmpty() && !m_model->isModified();
+  const bool isCapture = isSaved && !m_model->session().display.sheet;
+  for (QAction* action : m_library->actions())
+    action->setEnabled(hasImage && (isLive || isCapture));
   m_compareDesigned->setEnabled(hasImage && !m_model->session().twin.isZero());
   m_view->setTitles(ownName(), m_comparison->name());
 }
@@ -328,6 +332,14 @@ void ImageCommands::seeOn(const QString& name, const DisplayParams& display) {
     m_named = {name, placed};
     session.display = placed;
     session.twin = {};  // errors of a unit of the display before
+    if (session.lightField.isLive()) return;
+    // What was captured is seen on the other display as a scene.
+    LightFieldParams capture;
+    capture.layout = Layout::live;
+    capture.source = "session";
+    capture.content = contentParamsOf(capture.source);
+    capture.content.set("file", m_model->file().toStdString());
+    session.lightField = capture;
   });
 }
 

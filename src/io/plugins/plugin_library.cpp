@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "core/base/error.h"
+#include "core/content/capture_content.h"
 #include "core/content/scene_content.h"
 #include "io/plugins/plugin_guard.h"
 #include "io/plugins/plugin_list.h"
@@ -94,6 +95,7 @@ PluginLibrary loadPlugin(const std::string& name, PluginKind kind) {
 
 ContentParams contentParamsOf(const std::string& source) {
   if (source == "scene") return ContentParams([] { return std::make_unique<SceneContent>(); });
+  if (source == "session") return ContentParams([] { return std::make_unique<CaptureContent>(); });
   const PluginLibrary library = loadPlugin(source, PluginKind::content);
   return ContentParams([library] { return library.makeContent(); });
 }

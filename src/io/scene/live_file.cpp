@@ -10,9 +10,12 @@
 #include "core/base/error.h"
 #include "core/base/text.h"
 #include "core/cameras/state_list_edits.h"
+#include "core/content/capture_content.h"
 #include "core/content/cut_edges.h"
+#include "io/documents/session_file.h"
 #include "io/images/other_formats.h"
 #include "io/plugins/plugin_library.h"
+#include "io/scene/view_source.h"
 
 namespace hogelscope {
 
@@ -107,6 +110,30 @@ double scaleWithin(const DisplayParams& display, const std::vector<float>& point
   return scale;
 }
 
+/// Reads the capture of another session into memory, without the session's twin and states.
+void takeCapture(CaptureContent& content, const Progress& progress) {
+  const std::string& file = content.file();
+  if (file.empty())
+    throw InputError("lightField.session.file", "is missing: name the session of a capture");
+  Session session = loadSession(file);
+  inFile(file, [&] {
+    if (session.lightField.isLive())
+      throw InputError("lightField.layout",
+                       "is \"live\", which is no capture: give its source to this session");
+    requireHogels(session.display, "a capture");
+    session.twin = {};
+    const auto opened = openLightField(session.lightField, session.display);
+    const ViewSource source = loadViewSource(session, *opened, progress);
+    if (!source.lightField->isInMemory())
+      throw InputError("lightField",
+                       "is larger than memory: give it more --memory, or a capture "
+                       "of fewer hogels or directions");
+    std::vector<std::string> files{file};
+    for (const auto& each : filesOf(session, *opened)) files.push_back(each.string());
+    content.take(source.lightField->overview(), source.display, files);
+  });
+}
+
 }  // namespace
 
 bool isMeshFile(const std::string& file) {
@@ -136,6 +163,7 @@ LiveFile::LiveFile(const LightFieldParams& params, const DisplayParams& display,
     throw InputError(display.hogels[0] > 0 ? "display.directions" : "display.hogels",
                      "is missing: a scene does not say it");
   auto content = params.content.make();
+  if (auto* capture = dynamic_cast<CaptureContent*>(content.get())) takeCapture(*capture, progress);
   content->open(panelOf(m_display), {".", std::int32_t(threadCount())}, Listener(progress));
   m_content = std::move(content);
 }
