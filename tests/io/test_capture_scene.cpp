@@ -197,6 +197,23 @@ class TestCaptureScene : public QObject {
     QVERIFY(light[0].r == 0 && file.content().traceDepths(rays, depth) && std::isnan(depth[0]));
   }
 
+  /// The share of the display's rays that the capture does not have.
+  void whatIsOutsideIsSaid() {
+    writeCapture(noise);
+    const auto said = [](const std::vector<std::string>& overrides) {
+      const Session scene = asScene(overrides);
+      const std::vector<std::string> warnings = loadViewSource(scene, {}).warnings;
+      return warnings.empty() ? QString() : QString::fromStdString(warnings.front());
+    };
+    QCOMPARE(said({}), QString());
+    QCOMPARE(
+        said({"display.size=[0.48,0.4]"}),
+        QString("about 75 % of the display's rays are outside the capture, and black: it covers "
+                "a panel of 0.24×0.2 m and a field of 50×40°"));
+    QVERIFY(said({"lightField.session.scale=2"}).isEmpty());
+    QVERIFY(said({"lightField.session.position=[0,0,-1]"}).contains("outside the capture"));
+  }
+
   void refused_data() {
     QTest::addColumn<QByteArray>("object");
     QTest::addColumn<QString>("line");

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "core/base/error.h"
+#include "core/base/text.h"
 
 namespace hogelscope {
 
@@ -51,11 +52,40 @@ void CaptureContent::take(std::shared_ptr<const LightField> texels, const PanelP
   m_files = std::move(files);
 }
 
-void CaptureContent::open(const plugin::Panel& /*panel*/, const plugin::Place& /*place*/,
+void CaptureContent::open(const plugin::Panel& panel, const plugin::Place& /*place*/,
                           const plugin::Progress& /*progress*/) {
   if (m_texels == nullptr) throw InputError("lightField.session", "has no capture");
   m_panel = transformFromPose(m_position, m_orientation);
   m_fromDisplay = m_panel.inverse();
+  // A lattice of rays stands for all: their count follows neither hogels nor directions.
+  constexpr int side = 12;
+  constexpr double far = 1e6;
+  int outside = 0;
+  const auto at = [](int k) { return (k + 0.5) / side - 0.5; };
+  for (int k = 0; k < side * side * side * side; ++k) {
+    const double a = at(k % side) * panel.directions[0] * panel.slopeStep[0];
+    const double b = at(k / side % side) * panel.directions[1] * panel.slopeStep[1];
+    const double x = at(k / (side * side) % side) * panel.size[0];
+    const double y = at(k / (side * side * side)) * panel.size[1];
+    if (!meet({x + a * far, y + b * far, far, a, b, 2 * far})) ++outside;
+  }
+  m_outside = double(outside) / (side * side * side * side);
+}
+
+std::vector<std::string> CaptureContent::notes() const {
+  const auto percent = std::lround(100 * m_outside);
+  if (percent == 0) return {};
+  const LightFieldSize& size = m_display->size();
+  const Vec2 corner = m_display->position(size.nx, 0);
+  const Vec2 most = m_display->slopes(size.du, 0);
+  const auto degrees = [](double slope) {
+    return numberText(fourDigits(2 * std::atan(slope) * 180 / std::acos(-1)));
+  };
+  return {"about " + std::to_string(percent) +
+          " % of the display's rays are outside the capture, and black: it covers a panel of " +
+          numberText(fourDigits(2 * m_scale * corner.x)) + "×" +
+          numberText(fourDigits(2 * m_scale * corner.y)) + " m and a field of " + degrees(most.x) +
+          "×" + degrees(most.y) + "°"};
 }
 
 void CaptureContent::depths(double& back, double& front) const {
@@ -113,7 +143,8 @@ Rgb CaptureContent::interpolated(const Hit& hit, const Vec2& place, const Vec2& 
   return sum;
 }
 
-Rgb CaptureContent::light(const plugin::Ray& ray) const {
+/// Returns where a ray meets the panel within what was captured.
+std::optional<CaptureContent::Met> CaptureContent::meet(const plugin::Ray& ray) const {
   const Vec3 from = m_fromDisplay.point({ray.x, ray.y, ray.z});
   const Vec3 along = m_fromDisplay.direction({ray.a, ray.b, 1});
   if (!(along.z > 0)) return {};  // the panel is seen from behind, or from its edge
@@ -124,8 +155,15 @@ Rgb CaptureContent::light(const plugin::Ray& ray) const {
   const auto hit =
       m_display->hit({place.x + slopes.x, place.y + slopes.y, 1}, {-slopes.x, -slopes.y, -1});
   if (!hit) return {};
-  if (m_interpolates) return interpolated(*hit, place, slopes);
-  return m_texels->texel({int(hit->i), int(hit->j), int(hit->u), int(hit->v)});
+  return Met{*hit, place, slopes};
+}
+
+Rgb CaptureContent::light(const plugin::Ray& ray) const {
+  const std::optional<Met> met = meet(ray);
+  if (!met) return {};
+  const auto& [hit, place, slopes] = *met;
+  if (m_interpolates) return interpolated(hit, place, slopes);
+  return m_texels->texel({int(hit.i), int(hit.j), int(hit.u), int(hit.v)});
 }
 
 void CaptureContent::trace(std::span<const plugin::Ray> rays,

@@ -29,6 +29,8 @@ class CaptureContent : public plugin::ContentSource {
   void open(const plugin::Panel& panel, const plugin::Place& place,
             const plugin::Progress& progress) override;
   [[nodiscard]] std::vector<std::string> files() const override { return m_files; }
+  /// Says which share of the display's rays is outside what was captured.
+  [[nodiscard]] std::vector<std::string> notes() const override;
   /// The depths of the capture's panel: those of its content are not known.
   void depths(double& back, double& front) const override;
   void trace(std::span<const plugin::Ray> rays, std::span<plugin::Colour> colours) const override;
@@ -37,6 +39,12 @@ class CaptureContent : public plugin::ContentSource {
                                  std::span<double> depths) const override;
 
  private:
+  struct Met {
+    Hit hit;
+    Vec2 place;  ///< metres of the capture's own panel
+    Vec2 slopes;
+  };
+  [[nodiscard]] std::optional<Met> meet(const plugin::Ray& ray) const;
   [[nodiscard]] Rgb light(const plugin::Ray& ray) const;
   [[nodiscard]] Rgb interpolated(const Hit& hit, const Vec2& place, const Vec2& slopes) const;
   [[nodiscard]] Rgb between(double i, double j, int u, int v) const;
@@ -53,6 +61,7 @@ class CaptureContent : public plugin::ContentSource {
   std::vector<std::string> m_files;
   RigidTransform m_panel;  ///< the display's frame from that of the capture's panel
   RigidTransform m_fromDisplay;
+  double m_outside = 0;  ///< the share of the display's rays
 };
 
 }  // namespace hogelscope

@@ -177,6 +177,11 @@ std::string LiveFile::cutWarning(const CameraState& state) const {
   return hogelscope::cutWarning(*m_content, m_display, state);
 }
 
+std::vector<std::string> LiveFile::warnings() const {
+  const bool isCapture = dynamic_cast<const CaptureContent*>(m_content.get()) != nullptr;
+  return isCapture ? m_content->notes() : std::vector<std::string>();
+}
+
 StoredType LiveFile::type() const {
   return m_params.type == LiveType::real ? StoredType::real : StoredType::uint8;
 }

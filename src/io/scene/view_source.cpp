@@ -213,6 +213,8 @@ ViewSource unloadedViewSource(const Session& session, const LightFieldFile& file
   ViewSource source = viewSourceOf(
       session, std::make_shared<const StreamedLightField>(file.size(), file.type()), progress);
   source.files = std::make_shared<const FilesInUse>(filesOf(session, file));
+  if (session.lightField.isLive())
+    for (const std::string& warning : file.warnings()) source.warnings.push_back(warning);
   return source;
 }
 
