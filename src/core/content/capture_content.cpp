@@ -57,19 +57,21 @@ void CaptureContent::open(const plugin::Panel& panel, const plugin::Place& /*pla
   if (m_texels == nullptr) throw InputError("lightField.session", "has no capture");
   m_panel = transformFromPose(m_position, m_orientation);
   m_fromDisplay = m_panel.inverse();
-  // A lattice of rays stands for all: their count follows neither hogels nor directions.
-  constexpr int side = 12;
-  constexpr double far = 1e6;
+  // Evenly spread rays stand for all: the powers of 1/g with g⁵ = g + 1 fill four axes.
+  constexpr int count = 20000;
+  constexpr double g = 1.1673039782614187, far = 1e6;
   int outside = 0;
-  const auto at = [](int k) { return (k + 0.5) / side - 0.5; };
-  for (int k = 0; k < side * side * side * side; ++k) {
-    const double a = at(k % side) * panel.directions[0] * panel.slopeStep[0];
-    const double b = at(k / side % side) * panel.directions[1] * panel.slopeStep[1];
-    const double x = at(k / (side * side) % side) * panel.size[0];
-    const double y = at(k / (side * side * side)) * panel.size[1];
-    if (!meet({x + a * far, y + b * far, far, a, b, 2 * far})) ++outside;
+  for (int k = 0; k < count; ++k) {
+    std::array<double, 4> at{};
+    double step = 1;
+    for (double& each : at) each = std::fmod(0.5 + k * (step /= g), 1) - 0.5;
+    const double a = at[0] * panel.directions[0] * panel.slopeStep[0];
+    const double b = at[1] * panel.directions[1] * panel.slopeStep[1];
+    const plugin::Ray ray{
+        at[2] * panel.size[0] + a * far, at[3] * panel.size[1] + b * far, far, a, b, 2 * far};
+    if (!meet(ray)) ++outside;
   }
-  m_outside = double(outside) / (side * side * side * side);
+  m_outside = double(outside) / count;
 }
 
 std::vector<std::string> CaptureContent::notes() const {
