@@ -70,7 +70,7 @@ class Candidates {
 /// Replaces distorted points of a fisheye. Newton's steps are made together for many points; those
 /// that it does not bring near a root before the lens' end are solved one by one.
 void undistortFisheye(const Fisheye& lens, double* x, double* y, int count) {
-  constexpr int steps = 6;
+  constexpr int steps = 4;  // the few that need more are solved one by one
   std::array<double, pointsAtOnce> distance, angle;
   for (int first = 0; first < count; first += pointsAtOnce) {
     const int n = std::min(pointsAtOnce, count - first);
