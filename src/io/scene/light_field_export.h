@@ -40,7 +40,7 @@ void exportQuilt(LightFieldFile& lightField, const std::filesystem::path& file,
 void exportMosaic(LightFieldFile& lightField, const std::filesystem::path& file,
                   const Progress& progress);
 
-/// What a session's light field is written as. woven: the picture of a lens sheet's panel; pack: a
+/// Says what a light field is written as. woven: the picture of a lens sheet's panel; pack: a
 /// store (io/store).
 enum class ExportLayout { hogels, views, quilt, mosaic, woven, pack };
 

@@ -25,7 +25,7 @@ class LiveFile : public LightFieldFile {
   [[nodiscard]] LightFieldSize size() const override { return Display(m_display).size(); }
   [[nodiscard]] std::vector<std::filesystem::path> files() const override;
   [[nodiscard]] std::string cutWarning(const CameraState& state) const override;
-  /// What a capture does not cover.
+  /// Says what a capture does not cover.
   [[nodiscard]] std::vector<std::string> warnings() const override;
   [[nodiscard]] StoredType type() const override;
   /// Traces the whole light field into memory.
