@@ -384,7 +384,6 @@ class TestImageWidget : public QObject {
     m_view->setGain(2);
     QCOMPARE(m_view->gain(), 2.0);
     QCOMPARE(QColor(m_view->shownImage().pixel(size.width() + 5, 5)), QColor(0, 0, 80));
-    QSignalSpy wipes(m_view.get(), &ImageWidget::pointed);
     const QPoint line(m_view->width() / 8, m_view->height() / 2);
     QTest::mousePress(m_view.get(), Qt::LeftButton, {}, line);
     QTest::mouseMove(m_view.get(), {m_view->width() / 4, m_view->height() / 2});

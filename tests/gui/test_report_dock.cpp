@@ -783,7 +783,6 @@ void TestReportDock::aSecondReportIsSortedToo() {
     for (std::size_t k = 0; k < session.cameras.size(); ++k)
       session.cameras[k].psf = {.sigma = 2 - 0.3 * double(k), .windowSize = 7};
   });
-  const QStringList before = states();
   click("makeReportButton");
   if (child<QPushButton>("makeReportButton")->text().startsWith("&Replace"))
     click("makeReportButton");
