@@ -66,7 +66,8 @@ ImageCommands::ImageCommands(QMenu* menu, ImageWidget* view, QVBoxLayout* around
   drop(tr("No view yet: open a session (Ctrl+O)"));
 }
 
-void ImageCommands::addCommands(QMenu* menu, QVBoxLayout* around, QStatusBar* statusBar) {
+/// Adds what a picture can be compared with.
+void ImageCommands::addComparisons(QMenu* menu) {
   m_ofAnyImage << addCommand(
       menu,
       {"compareAction", tr("&Compare with light field…"),
@@ -109,6 +110,10 @@ void ImageCommands::addCommands(QMenu* menu, QVBoxLayout* around, QStatusBar* st
                       {"stopComparingAction", tr("&Stop comparing"),
                        tr("Frees the other light field"), Qt::CTRL | Qt::SHIFT | Qt::Key_L},
                       this, &ImageCommands::stopComparing);
+}
+
+void ImageCommands::addCommands(QMenu* menu, QVBoxLayout* around, QStatusBar* statusBar) {
+  addComparisons(menu);
   menu->addSeparator();
   m_comparing = new ComparisonCommands(menu, m_view, around, this);
   m_mask = addSwitch(menu,

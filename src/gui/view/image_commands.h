@@ -66,6 +66,7 @@ class ImageCommands : public QObject {
   void failed(const QString& line);
 
  private:
+  void addComparisons(QMenu* menu);
   void addCommands(QMenu* menu, QVBoxLayout* around, QStatusBar* statusBar);
   void addEyes(QMenu* menu);
   [[nodiscard]] bool isRight() const;
