@@ -28,6 +28,8 @@ constexpr int height = 150;
 constexpr double focal = 220;  // px
 constexpr double wall = 3;     // m
 constexpr double spacing = 0.04;
+/// What OpenCV's dense flow may be wrong by, in px; its versions differ.
+constexpr double flowError = 0.07;
 
 /// A camera in the rig: its place is right, down and forward of the middle one, in metres.
 struct Eye {
@@ -214,7 +216,7 @@ bool isOnWall(const Session& session, int columns, int rows) {
   const auto fovOf = [](int count) {
     return 360 / std::numbers::pi * std::atan(count * spacing / (2 * wall));
   };
-  constexpr double tolerance = 0.02;
+  constexpr double tolerance = flowError * wall / (focal * spacing);
   return isNear(session.lightField.viewingDistance, wall, tolerance) &&
          isNear(session.display.size[0], wall * width / focal, tolerance) &&
          isNear(session.display.size[1], wall * height / focal, tolerance) &&
@@ -434,7 +436,7 @@ void TestViewCameras::shiftedAndTurned() {
   QVERIFY2(isOnWall(around.session, 5, 3),
            qPrintable(QString::number(around.session.lightField.viewingDistance)));
   const double shear = focal * (spacing / wall - turn) - shift;
-  QVERIFY2(std::abs(around.session.lightField.shear[0] - shear) < 0.06,
+  QVERIFY2(std::abs(around.session.lightField.shear[0] - shear) < flowError,
            qPrintable(QString::number(around.session.lightField.shear[0])));
 }
 
