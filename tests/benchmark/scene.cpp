@@ -82,6 +82,8 @@ class RatioReporter : public benchmark::ConsoleReporter {
   void Finalize() override {
     for (const auto& [name, times] : m_times) {
       if (name.starts_with("view/")) print(name, "limit/" + name.substr(5));
+      if (const std::size_t at = name.find(", of a capture"); at != std::string::npos)
+        print(name, name.substr(0, at));
       if (const std::size_t at = name.find(" distorted"); at != std::string::npos)
         print(name, name.substr(0, at));
     }

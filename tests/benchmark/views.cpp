@@ -6,6 +6,7 @@
 
 #include "core/base/multiversioned.h"
 #include "core/base/parallel.h"
+#include "core/content/capture_content.h"
 #include "core/engine/fast_simulation.h"
 #include "core/metrics/panel_error.h"
 #include "core/panel/twin.h"
@@ -90,6 +91,32 @@ RenderJob behindThrough64(int pose) {
 RenderJob quadrilinear(int pose) {
   RenderJob job = viewOf(pose);
   job.sampling.reconstruction = Reconstruction::quadrilinear;
+  return job;
+}
+
+class Silent : public plugin::Progress {
+ public:
+  [[nodiscard]] bool go(double) const override { return true; }
+};
+
+/// The same light field as a scene, on a display of other hogels and directions: each texel that a
+/// view reads is interpolated between 16 of the capture.
+RenderJob ofACapture(int pose) {
+  RenderJob job = viewOf(pose);
+  PanelParams other = job.display;
+  for (auto* counts : {&other.hogels, &other.directions})
+    for (int& count : *counts) count = 3 * count / 4;
+  static std::shared_ptr<const LightFieldSource> source;
+  if (source == nullptr) {
+    auto content = std::make_shared<CaptureContent>();
+    // Not owned: another block's light field takes the memory of this one.
+    content->take({job.lightField.get(), [](const LightFieldSource*) {}}, job.display, {});
+    content->open({}, {".", 1}, Silent());
+    source = std::make_shared<const LiveSource>(content, other, LiveParams(), StoredType::uint8,
+                                                std::size_t{1} << 32);
+  }
+  job.lightField = source;
+  job.display = other;
   return job;
 }
 
@@ -334,6 +361,7 @@ void addViews() {
   add("view/psf 7x7", timeViews, leaking7, 0);
   add("limit/quadrilinear", limit, plain, 2, 2);
   add("view/quadrilinear", timeViews, quadrilinear, 0);
+  add("view/quadrilinear, of a capture", timeViews, ofACapture, 0);
   add("view/pupil 16", timeViews, through<16>, 0);
   add("view/pupil 16 distorted", timeViews, through16Distorted, 0);
   add("view/pupil 64", timeViews, through<64>, 0);

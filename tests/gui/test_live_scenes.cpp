@@ -2,6 +2,7 @@
 // Drives the real window over meshes: opening, parameters, the mesh in the 3-D scene, the ideal
 // view.
 #include <QLineEdit>
+#include <cmath>
 
 #include "gui/docks/light_field_dock.h"
 #include "gui/scene/mesh_actors.h"
@@ -11,6 +12,7 @@
 #include "tests/core/rendered.h"
 #include "tests/gui/scene_test.h"
 #include "tests/gui/shown_image.h"
+#include "tests/io/images.h"
 
 using namespace hogelscope;
 
@@ -237,6 +239,48 @@ class TestLiveScenes : public SceneTest {
         equals(view()->otherImage(), rendered(loadViewSource(stored, {}).job(m_model->current()))));
     child<QAction>("undoAction")->trigger();
     QVERIFY(m_model->session() == stored);
+  }
+
+  /// Ctrl and a click set the depth at which a capture's directions are brought together; one undo
+  /// takes it back. The form's field does the same.
+  void aCaptureIsFocused() {
+    constexpr double depth = 0.05, width = 0.24, most = 0.4663;  // tan 25°
+    writeImageFile(m_folder.filePath("plane.png"), 96 * 9, 96 * 9, [&](int x, int y, int) {
+      const auto at = [&](int k) {
+        return ((k / 9 + 0.5) / 96 - 0.5) * width + depth * (2 * (k % 9 + 0.5) / 9 - 1) * most;
+      };
+      double sum = 0.5;  // of waves that have no period in common
+      for (const double wave : {0.02, 0.023, 0.031})
+        sum += 0.15 * std::sin(2 * M_PI * at(x) / wave - 3 * at(y) / wave);
+      return float(sum);
+    });
+    writeFile(m_folder.filePath("plane.json"), R"({"hogelscope": 1,
+      "display": {"size": [0.24, 0.24], "hogels": [96, 96], "directions": [9, 9], "fov": [50, 50]},
+      "lightField": {"file": "plane.png"},
+      "cameras": [{"name": "a", "eye": [0.03, -0.02, 0.6], "res": [120, 120], "fov": 22}]})");
+    QVERIFY(files(*m_window).open(m_folder.filePath("plane.json")));
+    auto* see = child<QAction>("paperAction");
+    QTRY_VERIFY_WITH_TIMEOUT(message().contains(" ms") && see->isEnabled(), patience);
+    see->trigger();
+    QTRY_VERIFY_WITH_TIMEOUT(showsWhatIsTrue(), patience);
+    child<QAction>("stopComparingAction")->trigger();
+    const Session before = m_model->session();
+    const auto focus = [&] {
+      return (*m_model->session().lightField.content.find<std::vector<double>>("focus"))[0];
+    };
+    QCOMPARE(focus(), 0.0);
+    QTest::mouseClick(view(), Qt::LeftButton, Qt::ControlModifier, view()->rect().center());
+    QTRY_VERIFY_WITH_TIMEOUT(focus() != 0, patience);
+    QVERIFY2(std::abs(focus() - depth) < 0.01, qPrintable(QString::number(focus())));
+    QTRY_VERIFY_WITH_TIMEOUT(showsWhatIsTrue(), patience);
+    const QImage sharp = view()->image();
+    child<QAction>("undoAction")->trigger();
+    QVERIFY(m_model->session() == before);
+    auto* field = child<QWidget>("sessionForm")->findChild<QDoubleSpinBox*>("focus");
+    QVERIFY(field != nullptr);
+    field->setValue(0.04);
+    QCOMPARE(focus(), 0.04);
+    QTRY_VERIFY_WITH_TIMEOUT(showsWhatIsTrue() && view()->image() != sharp, patience);
   }
 
   void aDamagedMeshIsTold() {

@@ -8,10 +8,16 @@
 
 #include "core/base/error.h"
 #include "core/content/capture_content.h"
+#include "core/engine/focus_search.h"
+#include "core/engine/ideal_view.h"
 #include "io/documents/session_file.h"
+#include "io/plugins/plugin_library.h"
 #include "io/scene/live_file.h"
 #include "io/scene/view_source.h"
+#include "io/store/light_field_store.h"
+#include "io/store/store_writer.h"
 #include "tests/core/rendered.h"
+#include "tests/io/any_images.h"
 #include "tests/io/documents.h"
 #include "tests/io/images.h"
 
@@ -87,6 +93,30 @@ double bruteForce(const Value& value, double x, double y, double a, double b, do
     }
   return sum;
 }
+
+class Silent : public plugin::Progress {
+ public:
+  [[nodiscard]] bool go(double) const override { return true; }
+};
+
+/// A store that counts its slices.
+class InSlices : public LightFieldSource {
+ public:
+  explicit InSlices(const char* file) : m_store(file) {}
+  [[nodiscard]] LightFieldSize size() const override { return m_store.size(); }
+  [[nodiscard]] StoredType type() const override { return m_store.type(); }
+  [[nodiscard]] std::shared_ptr<const LightField> slice(const ViewReads& reads,
+                                                        const Progress& progress) const override {
+    ++m_slices;
+    return m_store.slice(reads, progress);
+  }
+  [[nodiscard]] std::shared_ptr<const LightField> overview() const override { return {}; }
+  [[nodiscard]] int slices() const { return m_slices; }
+
+ private:
+  LightFieldStore m_store;
+  mutable int m_slices = 0;
+};
 
 }  // namespace
 
@@ -168,6 +198,110 @@ class TestCaptureScene : public QObject {
     }
   }
 
+  void aPlaneIsFocusedOn_data() {
+    QTest::addColumn<double>("depth");
+    for (const double depth : {-0.11, -0.03, 0.04, 0.09}) QTest::addRow("%g m", depth) << depth;
+  }
+  /// A textured plane is found at its depth, and is then as sharp as on the capture's own display.
+  void aPlaneIsFocusedOn() {
+    QFETCH(double, depth);
+    constexpr int hogels = 96, directions = 9;
+    const double width = 0.24, most = std::tan(25 * M_PI / 180);
+    // Waves of a tenth of the panel and shorter; the shortest has eight hogels.
+    const auto texture = [&](double x, double y) {
+      double sum = 0.5;
+      for (const double wave : {0.02, 0.023, 0.031})
+        sum += 0.15 * std::sin(2 * M_PI * x / wave + 3 * y / wave);
+      return sum;
+    };
+    writeImageFile("plane.png", hogels * directions, hogels * directions, [&](int x, int y, int) {
+      const auto place = [&](int at) { return ((at / directions + 0.5) / hogels - 0.5) * width; };
+      const auto slope = [&](int at) {
+        return (2 * (at % directions + 0.5) / directions - 1) * most;
+      };
+      return float(texture(place(x) + depth * slope(x), -place(y) - depth * slope(y)));
+    });
+    writeFile("plane.json", R"({"hogelscope": 1,
+      "display": {"size": [0.24, 0.24], "hogels": [96, 96], "directions": [9, 9], "fov": [50, 50]},
+      "lightField": {"file": "plane.png"},
+      "cameras": [{"name": "a", "eye": [0.03, -0.02, 0.6], "res": [120, 120], "fov": 22}]})");
+    writeFile("shown.json", contentOf("plane.json")
+                                .replace(R"("file": "plane.png")",
+                                         R"("layout": "live", "source": "session", "type": "real",
+                                            "session": {"file": "plane.json"})"));
+    const Session scene = loadSession("shown.json");
+    const ViewSource shown = loadViewSource(scene, {});
+    const auto live = std::dynamic_pointer_cast<const LiveSource>(shown.lightField);
+    const auto& capture = dynamic_cast<const CaptureContent&>(live->content());
+    const double unit = capture.depthOfOneHogel();
+    QVERIFY(std::abs(unit - width / hogels / (2 * most / directions)) < 1e-12);
+    LensTables tables;
+    const auto at = [&](double focus) { return live->withContent(capture.focusedAt(focus)); };
+    const auto found = sharpestContent(
+        shown.job(scene.cameras[0]), 60, 50, 81, [&](double k) { return (k - 40) * unit / 4; }, at,
+        tables, serialRows);
+    QVERIFY(found.has_value());
+    QVERIFY2(std::abs(*found - depth) < 0.3 * unit, qPrintable(QString::number(*found)));
+    // Between the directions nothing is lost at that focus, and much is at the panel's.
+    const auto contrast = [&](double focus) {
+      RenderJob job = shown.job(scene.cameras[0]);
+      job.lightField = at(focus);
+      job.isIdeal = true;
+      const FloatImage image = renderIdeal(job, tables, serialRows, {});
+      double sum = 0, squares = 0;
+      for (const float value : image.rgb) {
+        sum += double(value);
+        squares += double(value) * double(value);
+      }
+      const auto count = double(image.rgb.size());
+      return std::sqrt(squares / count - sum / count * sum / count) / 255;
+    };
+    const double ofTexture = 0.15 * std::sqrt(1.5);
+    QVERIFY2(contrast(*found) > 0.85 * ofTexture, qPrintable(QString::number(contrast(*found))));
+    if (std::abs(depth) > 2 * unit) QVERIFY(contrast(0) < 0.8 * contrast(*found));
+  }
+
+  /// Captures of the program's own scene come nearer to it with more hogels and directions. At its
+  /// edges the light jumps, so the mean error falls with the first power of their distance.
+  void capturesConvergeToTheirScene() {
+    double sumX = 0, sumY = 0, sumXX = 0, sumXY = 0;  // of a line through logarithms
+    constexpr std::array sizes{60, 90, 120, 160, 200};
+    for (const int n : sizes) {
+      const QByteArray hogels = QByteArray::number(n), views = QByteArray::number(n / 10);
+      writeFile("live.json", R"({"hogelscope": 1,
+        "display": {"size": [0.4, 0.4], "fov": [50, 50], "hogels": [)" +
+                                 hogels + ", " + hogels + R"(], "directions": [)" + views + ", " +
+                                 views + R"(]},
+        "lightField": {"layout": "live", "source": "scene", "scene": {"depth": [-0.02, 0.02]}},
+        "cameras": [{"name": "a", "eye": [0.05, 0.02, 0.7], "res": [150, 150], "fov": 30}]})");
+      const Session session = loadSession("live.json");
+      const ViewSource scene = loadViewSource(session, {});
+      auto captured = std::make_shared<const LightField>(
+          openLightField(session.lightField, session.display)->read({}));
+      const auto content = std::make_shared<CaptureContent>();
+      content->take(captured, scene.display, {});
+      content->open({}, {".", 1}, Silent());
+      RenderJob job = scene.job(session.cameras[0]);
+      job.isIdeal = true;
+      LensTables tables;
+      const FloatImage wanted = renderIdeal(job, tables, parallelRows, {});
+      job.lightField =
+          std::dynamic_pointer_cast<const LiveSource>(scene.lightField)->withContent(content);
+      const FloatImage found = renderIdeal(job, tables, parallelRows, {});
+      double sum = 0;
+      for (std::size_t k = 0; k < wanted.rgb.size(); ++k)
+        sum += std::abs(double(wanted.rgb[k]) - double(found.rgb[k]));
+      const double x = std::log(n), y = std::log(sum);
+      sumX += x;
+      sumY += y;
+      sumXX += x * x;
+      sumXY += x * y;
+    }
+    const double order = -(double(sizes.size()) * sumXY - sumX * sumY) /
+                         (double(sizes.size()) * sumXX - sumX * sumX);
+    QVERIFY2(order > 0.7 && order < 1.4, qPrintable(QString::number(order)));
+  }
+
   /// Moved and enlarged, it is seen as by an eye that moves and shrinks the other way.
   void positionAndScaleAreThoseOfItsPanel() {
     writeCapture(noise);
@@ -195,6 +329,62 @@ class TestCaptureScene : public QObject {
     std::array<double, 1> depth{};
     file.content().trace(rays, light);
     QVERIFY(light[0].r == 0 && file.content().traceDepths(rays, depth) && std::isnan(depth[0]));
+  }
+
+  /// A store larger than memory is read slice by slice, and gives what one in memory gives.
+  void storesAreReadBySlices() {
+    writeCapture(noise);
+    writeImageFile("big.png", 60 * 20, 50 * 20, [](int x, int y, int c) {
+      return float(noise(x / 20, y / 20, x % 20, y % 20, c)) / 255;
+    });
+    const Session capture = loadSession(
+        "capture.json",
+        {"lightField.file=big.png", "display.hogels=[60,50]", "display.directions=[20,20]"});
+    const PanelParams display = resolved({capture.display, notGiven}, {60, 50, 20, 20});
+    const auto texels = loadViewSource(capture, {}).lightField;
+    const auto file = openLightField(capture.lightField, capture.display);
+    pack(*file, planPack(capture.lightField, *file, display, std::size_t{1} << 30), "a.tif", 3, {});
+    std::mt19937 random(4);
+    std::uniform_real_distribution<double> place(-0.13, 0.13), slope(-0.5, 0.5);
+    std::vector<plugin::Ray> rays(3000);
+    for (plugin::Ray& ray : rays) {
+      const double x = place(random), y = place(random), a = slope(random), b = slope(random);
+      ray = {x + 0.2 * a, y + 0.2 * b, 0.2, a, b, 1};
+    }
+    const auto traced = [&](std::shared_ptr<const LightFieldSource> source) {
+      ContentParams params = contentParamsOf("session");
+      params.set("focus", std::vector<double>{0.04});
+      const auto made = params.make();
+      auto& content = dynamic_cast<CaptureContent&>(*made);
+      content.take(std::move(source), display, {});
+      content.open({}, {".", 1}, Silent());  // it places the panel
+      std::vector<plugin::Colour> light(rays.size());
+      for (std::size_t k = 0; k < rays.size(); k += 500)
+        content.trace(std::span(rays).subspan(k, 500), std::span(light).subspan(k, 500));
+      return light;
+    };
+    const auto inSlices = std::make_shared<const InSlices>("a.tif");
+    const auto wanted = traced(texels), found = traced(inSlices);
+    for (std::size_t k = 0; k < rays.size(); ++k) QCOMPARE(found[k].g, wanted[k].g);
+    QVERIFY(inSlices->slices() > 6);  // rays from all over the capture are more than one slice
+  }
+
+  /// What a type that is not given is: that of the capture, but for 16 bits, which are not rounded.
+  void typeIsThatOfTheCapture() {
+    writeCapture(noise);
+    (void)asScene();
+    const auto typeOfScene = [](const QByteArray& type) {
+      writeFile("typed.json", contentOf("scene.json").replace(R"("type": "real",)", type));
+      const Session session = loadSession("typed.json");
+      return openLightField(session.lightField, session.display)->type();
+    };
+    QCOMPARE(typeOfScene(""), StoredType::uint8);
+    QCOMPARE(typeOfScene(R"("type": "real",)"), StoredType::real);
+    const auto grey = [](int, int, int) { return 0.123F; };
+    writeImageFile("hogels.png", nx * du, ny * dv, grey, {.type = PictureType::UInt16});
+    QCOMPARE(typeOfScene(""), StoredType::real);
+    QCOMPARE(typeOfScene(R"("type": "capture",)"), StoredType::real);
+    QCOMPARE(typeOfScene(R"("type": "uint8",)"), StoredType::uint8);
   }
 
   /// The share of the display's rays that the capture does not have.

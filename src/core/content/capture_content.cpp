@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -14,17 +15,17 @@ namespace hogelscope {
 
 namespace {
 
-/// Two neighbouring cells, and the share of the second; an edge cell is repeated.
+/// Two neighbouring cells, and their shares; an edge cell is repeated.
 struct Neighbours {
   std::array<int, 2> cell{};
-  double share = 0;
+  std::array<double, 2> share{};
 };
 
+/// `place` lies in [0, count).
 Neighbours neighboursOf(double place, int count) {
-  const double middle = place - 0.5;
-  const double first = std::floor(middle);
-  const auto clamped = [count](double k) { return int(std::clamp(k, 0.0, count - 1.0)); };
-  return {{clamped(first), clamped(first + 1)}, middle - first};
+  const int second = int(place + 0.5);
+  const double share = place + 0.5 - second;
+  return {{std::max(second - 1, 0), std::min(second, count - 1)}, {1 - share, share}};
 }
 
 }  // namespace
@@ -45,16 +46,36 @@ void CaptureContent::describe(ParameterVisitor& v) {
           "Interpolate between hogels and directions; otherwise the nearest ones, as they are.");
 }
 
-void CaptureContent::take(std::shared_ptr<const LightField> texels, const PanelParams& display,
-                          std::vector<std::string> files) {
-  m_texels = std::move(texels);
+void CaptureContent::take(std::shared_ptr<const LightFieldSource> capture,
+                          const PanelParams& display, std::vector<std::string> files) {
+  m_capture = std::move(capture);
+  if (m_capture->isInMemory()) m_texels = m_capture->overview();
   m_display.emplace(display);
+  const LightFieldSize& size = m_display->size();
+  const Vec2 first = m_display->position(0, 0), second = m_display->position(1, 1);
+  const double turn = m_display->turn({1, 0}).x;
+  m_axes[0] = {size.nx, first.x, second.x - first.x, turn, {}};
+  m_axes[1] = {size.ny, first.y, second.y - first.y, turn, {}};
+  for (int u = 0; u < size.du; ++u) m_axes[0].slopes.push_back(m_display->slopes(u + 0.5, 0).x);
+  for (int v = 0; v < size.dv; ++v) m_axes[1].slopes.push_back(m_display->slopes(0, v + 0.5).y);
   m_files = std::move(files);
+}
+
+std::shared_ptr<CaptureContent> CaptureContent::focusedAt(double focus) const {
+  auto other = std::make_shared<CaptureContent>(*this);
+  other->m_focus = focus;
+  return other;
+}
+
+/// A point at depth z moves by z(Δs) over the panel from one direction to the next.
+double CaptureContent::depthOfOneHogel() const {
+  return (m_display->position(1, 0).x - m_display->position(0, 0).x) /
+         (m_display->slopes(1, 0).x - m_display->slopes(0, 0).x);
 }
 
 void CaptureContent::open(const plugin::Panel& panel, const plugin::Place& /*place*/,
                           const plugin::Progress& /*progress*/) {
-  if (m_texels == nullptr) throw InputError("lightField.session", "has no capture");
+  if (m_capture == nullptr) throw InputError("lightField.session", "has no capture");
   m_panel = transformFromPose(m_position, m_orientation);
   m_fromDisplay = m_panel.inverse();
   // Evenly spread rays stand for all: the powers of 1/g with g⁵ = g + 1 fill four axes.
@@ -103,46 +124,32 @@ void CaptureContent::depths(double& back, double& front) const {
     }
 }
 
-/// Returns the light of one direction between hogels; none beyond the panel.
-Rgb CaptureContent::between(double i, double j, int u, int v) const {
-  const LightFieldSize& size = m_display->size();
-  if (!(i >= 0 && i < size.nx && j >= 0 && j < size.ny)) return {};
-  const Neighbours across = neighboursOf(i, size.nx), down = neighboursOf(j, size.ny);
-  Rgb sum;
-  for (const std::size_t y : {0U, 1U})
-    for (const std::size_t x : {0U, 1U}) {
-      const double weight =
-          (x == 1 ? across.share : 1 - across.share) * (y == 1 ? down.share : 1 - down.share);
-      if (weight > 0) sum = sum + weight * m_texels->texel({across.cell[x], down.cell[y], u, v});
+/// Returns along one axis what a ray takes of directions and hogels. `place` is the ray's point of
+/// the panel, `slope` its slope. A direction k contributes its light along the ray through the same
+/// point of the plane in focus: it leaves the panel at (X − f s_k) / (1 − f/D), with X the ray's
+/// point of that plane.
+CaptureContent::AxisTaps CaptureContent::tapsOf(const Axis& axis, double direction, double hogel,
+                                                double place, double slope) const {
+  AxisTaps taps;
+  if (!m_interpolates) {
+    taps.add({int(hogel), int(direction), 1});
+    return taps;
+  }
+  const Neighbours directions = neighboursOf(direction, int(axis.slopes.size()));
+  for (const std::size_t k : {0U, 1U}) {
+    const int d = directions.cell[k];
+    double at = hogel;
+    if (m_focus != 0) {
+      const double moved = place + m_focus * (slope - axis.slopes[std::size_t(d)]);
+      at = (moved / (1 - m_focus * axis.turn) - axis.first) / axis.pitch;
     }
-  return sum;
-}
-
-/// A direction k contributes its light along the ray through the same point of the plane in focus:
-/// it leaves the panel at (X − f s_k) / (1 − f/D), with X the ray's point of that plane.
-Rgb CaptureContent::interpolated(const Hit& hit, const Vec2& place, const Vec2& slopes) const {
-  const LightFieldSize& size = m_display->size();
-  const Neighbours across = neighboursOf(hit.u, size.du), down = neighboursOf(hit.v, size.dv);
-  const Vec2 least = m_display->position(0, 0), most = m_display->position(size.nx, size.ny);
-  const double closer = 1 - m_focus * m_display->turn({1, 0}).x;
-  const auto hogelOf = [](double at, double from, double to, int count) {
-    return (at - from) / (to - from) * count;
-  };
-  Rgb sum;
-  for (const std::size_t y : {0U, 1U})
-    for (const std::size_t x : {0U, 1U}) {
-      const double weight =
-          (x == 1 ? across.share : 1 - across.share) * (y == 1 ? down.share : 1 - down.share);
-      if (!(weight > 0)) continue;
-      double i = hit.i, j = hit.j;
-      if (m_focus != 0) {
-        const Vec2 own = m_display->slopes(across.cell[x] + 0.5, down.cell[y] + 0.5);
-        i = hogelOf((place.x + m_focus * (slopes.x - own.x)) / closer, least.x, most.x, size.nx);
-        j = hogelOf((place.y + m_focus * (slopes.y - own.y)) / closer, least.y, most.y, size.ny);
-      }
-      sum = sum + weight * between(i, j, across.cell[x], down.cell[y]);
-    }
-  return sum;
+    if (!(at >= 0 && at < axis.hogels)) continue;  // beyond the panel
+    const Neighbours hogels = neighboursOf(at, axis.hogels);
+    for (const std::size_t h : {0U, 1U})
+      if (const double weight = directions.share[k] * hogels.share[h]; weight > 0)
+        taps.add({hogels.cell[h], d, weight});
+  }
+  return taps;
 }
 
 /// Returns where a ray meets the panel within what was captured.
@@ -157,23 +164,63 @@ std::optional<CaptureContent::Met> CaptureContent::meet(const plugin::Ray& ray) 
   const auto hit =
       m_display->hit({place.x + slopes.x, place.y + slopes.y, 1}, {-slopes.x, -slopes.y, -1});
   if (!hit) return {};
-  return Met{*hit, place, slopes};
+  return Met{tapsOf(m_axes[0], hit->u, hit->i, place.x, slopes.x),
+             tapsOf(m_axes[1], hit->v, hit->j, place.y, slopes.y)};
 }
 
-Rgb CaptureContent::light(const plugin::Ray& ray) const {
-  const std::optional<Met> met = meet(ray);
-  if (!met) return {};
-  const auto& [hit, place, slopes] = *met;
-  if (m_interpolates) return interpolated(hit, place, slopes);
-  return m_texels->texel({int(hit.i), int(hit.j), int(hit.u), int(hit.v)});
+void CaptureContent::traceIn(const LightField& texels, std::span<const plugin::Ray> rays,
+                             std::span<plugin::Colour> colours) const {
+  const BlockLayout& layout = texels.layout();
+  const auto traceWith = [&]<class T>(const TexelArray<T>& list) {
+    const auto unit = float(codeValue(T(1)));
+    for (std::size_t k = 0; k < rays.size(); ++k) {
+      std::array<float, 4> sum{};  // as a texel's four values, so that they are added at once
+      if (const std::optional<Met> met = meet(rays[k]))
+        for (const Tap& down : met->down.all()) {
+          const std::uint32_t row =
+              layout.j(std::uint32_t(down.hogel)) + layout.v(std::uint32_t(down.direction));
+          for (const Tap& across : met->across.all()) {
+            const auto stored = std::bit_cast<std::array<T, 4>>(
+                list[row + layout.i(std::uint32_t(across.hogel)) +
+                     layout.u(std::uint32_t(across.direction))]);
+            const auto weight = float(across.weight * down.weight);
+            for (std::size_t c = 0; c < 4; ++c) sum[c] += weight * float(stored[c]);
+          }
+        }
+      colours[k] = {sum[0] * unit, sum[1] * unit, sum[2] * unit};
+    }
+  };
+  std::visit(traceWith, texels.texels());
+}
+
+/// Traces with a slice of the capture. Rays that are too far from each other for one are halved.
+void CaptureContent::traceSlices(std::span<const plugin::Ray> rays,
+                                 std::span<plugin::Colour> colours) const {
+  constexpr std::size_t mostOfSlice = std::size_t{1} << 19;  // of texels; such slices are not kept
+  Footprint footprint(m_display->size().nx, m_display->size().ny);
+  for (const plugin::Ray& ray : rays)
+    if (const std::optional<Met> met = meet(ray)) {
+      for (const auto& [hogel, direction, weight] : met->across.all())
+        footprint.u[std::size_t(hogel)].include({direction, direction});
+      for (const auto& [hogel, direction, weight] : met->down.all())
+        footprint.v[std::size_t(hogel)].include({direction, direction});
+    }
+  if (rays.size() > 1 && footprint.texels() > mostOfSlice) {
+    const std::size_t half = rays.size() / 2;
+    traceSlices(rays.first(half), colours.first(half));
+    traceSlices(rays.subspan(half), colours.subspan(half));
+    return;
+  }
+  traceIn(*m_capture->slice({.footprint = [&] { return footprint; }, .mark = {}}, {}), rays,
+          colours);
 }
 
 void CaptureContent::trace(std::span<const plugin::Ray> rays,
                            std::span<plugin::Colour> colours) const {
-  for (std::size_t k = 0; k < rays.size(); ++k) {
-    const auto [r, g, b] = light(rays[k]);
-    colours[k] = {float(r), float(g), float(b)};
-  }
+  if (m_texels != nullptr)
+    traceIn(*m_texels, rays, colours);
+  else
+    traceSlices(rays, colours);
 }
 
 bool CaptureContent::traceDepths(std::span<const plugin::Ray> /*rays*/,

@@ -24,6 +24,14 @@ class LiveSource : public LightFieldSource, public LiveScene {
              const LiveParams& params, StoredType type, std::size_t memory,
              ParallelRows rows = parallelRows);
 
+  [[nodiscard]] const plugin::ContentSource& content() const { return *m_content; }
+  /// Returns the same of other content, which must be open for the display.
+  [[nodiscard]] std::shared_ptr<const LiveSource> withContent(
+      std::shared_ptr<const plugin::ContentSource> content) const {
+    return std::make_shared<const LiveSource>(std::move(content), m_params, m_live, m_type,
+                                              m_memory, m_rows);
+  }
+
   [[nodiscard]] LightFieldSize size() const override { return m_display.size(); }
   [[nodiscard]] StoredType type() const override { return m_type; }
   /// Traces the texels that the view reads. They are the same to the last bit for any view, thread

@@ -86,10 +86,29 @@ FloatImage imageOf(const RenderJob& job, LensTables& tables, const ParallelRows&
   return image;
 }
 
+/// Returns where the ideal camera has a pixel's ray; none if it has no ray.
+std::optional<Vec2> rayOf(const RenderJob& job, int x, int y) {
+  const Camera camera(job.state.camera, job.state.intrinsics);
+  return idealPoint(Distortion(job.state.distortion), job.sampling.mapping,
+                    camera.normalised(x, y));
+}
+
+constexpr int around = 7;  // pixels on each side of the picked one
+
 /// Returns the place, -1 … 1, of the extremum of the parabola through three values at -1, 0, 1.
 double extremum(double before, double middle, double after) {
   const double curvature = before - 2 * middle + after;
   return curvature < 0 ? std::clamp((before - after) / (2 * curvature), -1.0, 1.0) : 0;
+}
+
+/// Returns the place of the greatest of some contrasts, between two of them too; none if all are 0
+/// or alike.
+std::optional<double> placeOfGreatest(const std::vector<double>& contrasts) {
+  const auto [least, best] = std::ranges::minmax_element(contrasts);
+  if (!(*best > *least)) return std::nullopt;
+  const auto at = double(best - contrasts.begin());
+  if (best == contrasts.begin() || best == contrasts.end() - 1) return at;
+  return at + extremum(*(best - 1), *best, *(best + 1));
 }
 
 }  // namespace
@@ -97,18 +116,15 @@ double extremum(double before, double middle, double after) {
 std::optional<double> sharpestFocus(const RenderJob& job, int x, int y, LensTables& tables,
                                     const ParallelRows& parallelRows, const Progress& progress) {
   checkContent(job);
-  const Camera camera(job.state.camera, job.state.intrinsics);
-  const std::optional<Vec2> ideal =
-      idealPoint(Distortion(job.state.distortion), job.sampling.mapping, camera.normalised(x, y));
+  const std::optional<Vec2> ideal = rayOf(job, x, y);
   if (!ideal) return std::nullopt;
   const LiveScene* const scene = job.lightField->scene();
   const plugin::Triangles triangles = scene != nullptr ? scene->triangles() : plugin::Triangles();
   if (!triangles.corners.empty()) return depthOf(triangles, job, *ideal);
-  constexpr int reach = 7;
   constexpr int steps = 24;
   const double panel = axisDistance(job.state.camera, job.display);
   if (!(panel > 0)) return std::nullopt;
-  RenderJob part = cropped(job, x, y, reach);
+  RenderJob part = cropped(job, x, y, around);
   const auto dioptres = [panel](double step) { return std::lerp(2, 0.5, step / steps) / panel; };
   std::vector<double> contrasts;
   for (int step = 0; step <= steps; ++step) {
@@ -116,11 +132,26 @@ std::optional<double> sharpestFocus(const RenderJob& job, int x, int y, LensTabl
     part.state.pupil.focus = 1 / dioptres(step);
     contrasts.push_back(contrastOf(imageOf(part, tables, parallelRows, progress)));
   }
-  const auto best = std::ranges::max_element(contrasts);
-  if (!(*best > 0)) return std::nullopt;
-  const auto at = double(best - contrasts.begin());
-  if (best == contrasts.begin() || best == contrasts.end() - 1) return 1 / dioptres(at);
-  return 1 / dioptres(at + extremum(*(best - 1), *best, *(best + 1)));
+  const std::optional<double> best = placeOfGreatest(contrasts);
+  return best ? std::optional(1 / dioptres(*best)) : std::nullopt;
+}
+
+std::optional<double> sharpestContent(
+    const RenderJob& job, int x, int y, int count, const std::function<double(double k)>& at,
+    const std::function<std::shared_ptr<const LightFieldSource>(double value)>& lightField,
+    LensTables& tables, const ParallelRows& parallelRows, const Progress& progress) {
+  if (!rayOf(job, x, y)) return std::nullopt;
+  RenderJob part = cropped(job, x, y, around);
+  part.isIdeal = true;
+  part.state.pupil = {};
+  std::vector<double> contrasts;
+  for (int k = 0; k < count; ++k) {
+    throwIfCancelled(progress);
+    part.lightField = lightField(at(k));
+    contrasts.push_back(contrastOf(imageOf(part, tables, parallelRows, progress)));
+  }
+  const std::optional<double> best = placeOfGreatest(contrasts);
+  return best ? std::optional(at(*best)) : std::nullopt;
 }
 
 }  // namespace hogelscope

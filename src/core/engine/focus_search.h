@@ -2,6 +2,8 @@
 // Finds the distance of focus at which what a pixel shows is sharp.
 #pragma once
 
+#include <functional>
+#include <memory>
 #include <optional>
 
 #include "core/base/parallel.h"
@@ -20,5 +22,14 @@ namespace hogelscope {
 std::optional<double> sharpestFocus(const RenderJob& job, int x, int y, LensTables& tables,
                                     const ParallelRows& parallelRows,
                                     const Progress& progress = {});
+
+/// Returns which of the values `at(k)`, with k = 0 … count - 1, of a parameter of the content makes
+/// what a pixel shows sharp, between two of them too: that of greatest contrast in the scene itself
+/// around the pixel, as above. `lightField` returns the live content with a value. None if there is
+/// no ray, or no contrast that changes with it. Throws as above.
+std::optional<double> sharpestContent(
+    const RenderJob& job, int x, int y, int count, const std::function<double(double k)>& at,
+    const std::function<std::shared_ptr<const LightFieldSource>(double value)>& lightField,
+    LensTables& tables, const ParallelRows& parallelRows, const Progress& progress = {});
 
 }  // namespace hogelscope

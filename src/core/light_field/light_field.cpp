@@ -7,16 +7,6 @@ namespace hogelscope {
 
 namespace {
 
-double codeValue(std::uint8_t stored) {
-  return stored;
-}
-double codeValue(std::uint16_t stored) {
-  return stored / 257.0;
-}
-double codeValue(float stored) {
-  return static_cast<double>(stored) * 255.0;
-}
-
 LightField::Texels blackTexels(std::size_t count, StoredType type) {
   switch (type) {
     case StoredType::uint8:

@@ -23,8 +23,8 @@
 namespace hogelscope {
 
 enum class Layout { hogels, views, quilt, mosaic, lenslets, pack, live, woven };
-/// The stored type of a live light field's texels.
-enum class LiveType { uint8, real };
+/// The stored type of a live light field's texels; capture: 8 bits where the capture has 8.
+enum class LiveType { uint8, real, capture };
 enum class RowOrder { topDown, bottomUp };
 enum class ColumnOrder { leftRight, rightLeft };
 /// The order of views that are counted by one running number: row by row or column by column, each
@@ -77,6 +77,17 @@ struct Texel {
   T b{};
   T unused{};
 };
+
+/// The code value of one that is stored.
+constexpr double codeValue(std::uint8_t stored) {
+  return stored;
+}
+constexpr double codeValue(std::uint16_t stored) {
+  return stored / 257.0;
+}
+constexpr double codeValue(float stored) {
+  return static_cast<double>(stored) * 255.0;
+}
 
 template <class T>
 using TexelArray = std::vector<Texel<T>, HugePageAllocator<Texel<T>>>;

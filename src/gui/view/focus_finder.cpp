@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/base/error.h"
+#include "core/content/capture_content.h"
 #include "core/engine/focus_search.h"
 #include "gui/session/session_model.h"
 #include "gui/view/image_widget.h"
@@ -17,6 +18,25 @@ namespace {
 /// Returns a distance for people, to 1 mm.
 double rounded(double metres) {
   return std::round(1000 * metres) / 1000;
+}
+
+/// Returns the capture that a live light field shows; null if it shows none.
+const CaptureContent* captureOf(const LiveSource* live) {
+  return live != nullptr ? dynamic_cast<const CaptureContent*>(&live->content()) : nullptr;
+}
+
+/// Returns the depth before a capture's panel at which a pixel is sharp between its directions.
+std::optional<double> sharpestDepth(const RenderJob& job, const QPoint& pixel,
+                                    const LiveSource& live, const Progress& progress) {
+  const CaptureContent& capture = *captureOf(&live);
+  constexpr double mostHogels = 10, step = 0.25;  // by which neighbouring views differ
+  constexpr int count = int(2 * mostHogels / step) + 1;
+  const double unit = capture.depthOfOneHogel();
+  LensTables tables;
+  return sharpestContent(
+      job, pixel.x(), pixel.y(), count, [&](double k) { return (k * step - mostHogels) * unit; },
+      [&](double depth) { return live.withContent(capture.focusedAt(depth)); }, tables, serialRows,
+      progress);
 }
 
 /// Whether two jobs differ in nothing but the pupil, which the sharpest focus does not depend on.
@@ -36,8 +56,9 @@ FocusFinder::FocusFinder(QMenu* menu, ImageWidget* view, SessionModel* model,
       m_focus(addCommand(menu,
                          {"focusAction", tr("F&ocus on the picked pixel"),
                           tr("Sets the pupil's focus to the depth of the picked pixel, or, where "
-                             "the content has no depth, to where it is sharpest; Ctrl and a click "
-                             "on a pixel do so too"),
+                             "the content has no depth, to where it is sharpest; without a pupil, "
+                             "the focus of a capture that is shown on another display; Ctrl and a "
+                             "click on a pixel do so too"),
                           Qt::CTRL | Qt::ALT | Qt::Key_D},
                          this,
                          [this] {
@@ -69,6 +90,7 @@ void FocusFinder::focusOn(int x, int y) {
   m_pixel = QPoint(x, y);
   m_focus->setEnabled(true);
   if (m_model->current().pupil.diameter > 0) return search(*m_pixel, true);
+  if (searchCapture(*m_pixel)) return;
   Q_EMIT failed(
       tr("This state is a pinhole, which sees everything sharp: give its pupil a diameter"));
 }
@@ -84,6 +106,31 @@ void FocusFinder::search(const QPoint& pixel, bool isApplied) {
         sharpestFocus(view.job, view.pixel.x(), view.pixel.y(), tables, serialRows, progress);
     return [this, pixel, focus, isApplied] { take(pixel, focus, isApplied); };
   });
+}
+
+/// Returns false if the content is no capture.
+bool FocusFinder::searchCapture(const QPoint& pixel) {
+  const std::optional<PickedView> view = m_viewAt(pixel);
+  if (!view) return false;
+  auto live = std::dynamic_pointer_cast<const LiveSource>(view->job.lightField);
+  if (captureOf(live.get()) == nullptr) return false;
+  m_asked = view->job;
+  m_task->start([this, view = *view, live, pixel](const Progress& progress) -> Task::Answer {
+    const auto depth = sharpestDepth(view.job, view.pixel, *live, progress);
+    return [this, pixel, depth] { takeDepth(pixel, depth); };
+  });
+  return true;
+}
+
+void FocusFinder::takeDepth(const QPoint& pixel, const std::optional<double>& depth) {
+  if (!depth) {
+    Q_EMIT failed(tr("Nothing here differs between the capture's directions: no focus is found"));
+    return;
+  }
+  m_model->edit(tr("Focus of the capture"), [&](Session& session) {
+    session.lightField.content.set("focus", std::vector<double>{rounded(*depth)});
+  });
+  Q_EMIT found(pixel, tr("The capture is sharp at %1 m before its panel.").arg(rounded(*depth)));
 }
 
 void FocusFinder::take(const QPoint& pixel, const std::optional<double>& focus, bool isApplied) {

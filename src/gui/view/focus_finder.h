@@ -36,6 +36,8 @@ class FocusFinder : public QObject {
   void pick(int x, int y);
   void focusOn(int x, int y);
   void search(const QPoint& pixel, bool isApplied);
+  bool searchCapture(const QPoint& pixel);
+  void takeDepth(const QPoint& pixel, const std::optional<double>& depth);
   void take(const QPoint& pixel, const std::optional<double>& focus, bool isApplied);
   void forgetEdited();
 

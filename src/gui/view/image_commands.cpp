@@ -11,6 +11,7 @@
 
 #include "core/base/error.h"
 #include "core/base/parallel.h"
+#include "core/content/capture_content.h"
 #include "core/metrics/metric.h"
 #include "gui/session/library_menu.h"
 #include "gui/session/session_model.h"
@@ -341,7 +342,8 @@ void ImageCommands::seeOn(const QString& name, const DisplayParams& display) {
     // What was captured is seen on the other display as a scene.
     LightFieldParams capture;
     capture.layout = Layout::live;
-    capture.source = "session";
+    capture.source = CaptureContent::sourceName;
+    capture.type = LiveType::capture;
     capture.content = contentParamsOf(capture.source);
     capture.content.set("file", m_model->file().toStdString());
     session.lightField = capture;

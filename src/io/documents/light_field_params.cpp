@@ -2,6 +2,7 @@
 #include "io/documents/light_field_params.h"
 
 #include "core/base/error.h"
+#include "core/content/capture_content.h"
 #include "io/json/json_parameters.h"
 
 namespace hogelscope {
@@ -11,7 +12,7 @@ namespace {
 constexpr std::array<std::string_view, 8> layoutNames{"hogels",   "views", "quilt", "mosaic",
                                                       "lenslets", "pack",  "live",  "woven"};
 constexpr std::array<std::string_view, 2> gridNames{"square", "hexagonal"};
-constexpr std::array<std::string_view, 2> typeNames{"uint8", "real"};
+constexpr std::array<std::string_view, 3> typeNames{"uint8", "real", "capture"};
 constexpr std::array<std::string_view, 2> rowOrderNames{"top-down", "bottom-up"};
 constexpr std::array<std::string_view, 2> columnOrderNames{"left-right", "right-left"};
 constexpr std::array<std::string_view, 4> scanNames{"raster", "serpentine", "columns",
@@ -110,11 +111,18 @@ void describe(ParameterVisitor& v, LightFieldParams& p) {
         "Distance before the panel of the plane on which the views' cameras stood, each looking at "
         "all of the panel; not given: every hogel has the same directions.");
   if (p.isLive()) {
+    const std::string sourceBefore = source;
     v.field(
         "source", source,
         "What computes the content: \"scene\" is built in, others are plugins; its parameters are "
         "an object of that name.");
-    v.field("type", type, typeNames, "How directional pixels are rounded: to 8 bits, or not.");
+    const bool isCapture = source == CaptureContent::sourceName;
+    if (isCapture && source != sourceBefore) type = LiveType::capture;
+    if (!isCapture && type == LiveType::capture) type = LiveType::uint8;
+    v.field("type", type, std::span(typeNames).first(isCapture ? 3 : 2),
+            isCapture ? "How directional pixels are rounded: to 8 bits, not, or (capture) to 8 "
+                        "bits only if the capture has no more."
+                      : "How directional pixels are rounded: to 8 bits, or not.");
   }
   if (layout == Layout::quilt) {
     v.field("columns", quiltColumns, {1, 4096, 1, true}, "views",

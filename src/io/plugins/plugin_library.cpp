@@ -95,7 +95,8 @@ PluginLibrary loadPlugin(const std::string& name, PluginKind kind) {
 
 ContentParams contentParamsOf(const std::string& source) {
   if (source == "scene") return ContentParams([] { return std::make_unique<SceneContent>(); });
-  if (source == "session") return ContentParams([] { return std::make_unique<CaptureContent>(); });
+  if (source == CaptureContent::sourceName)
+    return ContentParams([] { return std::make_unique<CaptureContent>(); });
   const PluginLibrary library = loadPlugin(source, PluginKind::content);
   return ContentParams([library] { return library.makeContent(); });
 }

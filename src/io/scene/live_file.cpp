@@ -4,8 +4,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <filesystem>
 #include <limits>
+#include <mutex>
 #include <string_view>
+#include <tuple>
 
 #include "core/base/error.h"
 #include "core/base/text.h"
@@ -110,27 +113,72 @@ double scaleWithin(const DisplayParams& display, const std::vector<float>& point
   return scale;
 }
 
-/// Reads the capture of another session into memory, without the session's twin and states.
-void takeCapture(CaptureContent& content, const Progress& progress) {
-  const std::string& file = content.file();
-  if (file.empty())
+struct Capture {
+  std::shared_ptr<const LightFieldSource> lightField;
+  PanelParams display;  ///< with its hogels and directions
+  std::vector<std::string> files;
+};
+
+using Stamp = std::tuple<std::string, std::filesystem::file_time_type, std::uintmax_t>;
+
+std::vector<Stamp> stampsOf(const std::vector<std::filesystem::path>& files) {
+  std::vector<Stamp> stamps;
+  for (const auto& file : files) {
+    std::error_code none;
+    stamps.emplace_back(file.string(), std::filesystem::last_write_time(file, none),
+                        std::filesystem::file_size(file, none));
+  }
+  return stamps;
+}
+
+/// The capture that was opened last: a focus that is dragged opens it for each picture.
+struct Latest {
+  std::mutex mutex;
+  Session session;
+  std::vector<Stamp> stamps;
+  std::weak_ptr<const LightFieldSource> lightField;
+  PanelParams display;
+};
+
+Capture openCapture(const Session& session, const std::string& sessionFile,
+                    const Progress& progress) {
+  static Latest latest;
+  const auto opened = openLightField(session.lightField, session.display);
+  Capture capture;
+  const std::vector<std::filesystem::path> files = filesOf(session, *opened);
+  capture.files.push_back(sessionFile);
+  for (const auto& file : files) capture.files.push_back(file.string());
+  const std::vector<Stamp> stamps = stampsOf(files);
+  {
+    const std::lock_guard lock(latest.mutex);
+    capture.lightField = latest.lightField.lock();
+    capture.display = latest.display;
+    if (capture.lightField && session == latest.session && stamps == latest.stamps) return capture;
+  }
+  const ViewSource source = loadViewSource(session, *opened, progress);
+  capture.lightField = source.lightField;
+  capture.display = source.display;
+  const std::lock_guard lock(latest.mutex);
+  latest.session = session;
+  latest.stamps = stamps;
+  latest.lightField = capture.lightField;
+  latest.display = capture.display;
+  return capture;
+}
+
+/// Opens the capture of a session, without the session's twin and states. One that is in use, and
+/// whose files are as they were, is not read again.
+Capture openCapture(const std::string& sessionFile, const Progress& progress) {
+  if (sessionFile.empty())
     throw InputError("lightField.session.file", "is missing: name the session of a capture");
-  Session session = loadSession(file);
-  inFile(file, [&] {
+  Session session = loadSession(sessionFile);
+  return inFile(sessionFile, [&] {
     if (session.lightField.isLive())
       throw InputError("lightField.layout",
                        "is \"live\", which is no capture: give its source to this session");
     requireHogels(session.display, "a capture");
     session.twin = {};
-    const auto opened = openLightField(session.lightField, session.display);
-    const ViewSource source = loadViewSource(session, *opened, progress);
-    if (!source.lightField->isInMemory())
-      throw InputError("lightField",
-                       "is larger than memory: give it more --memory, or a capture "
-                       "of fewer hogels or directions");
-    std::vector<std::string> files{file};
-    for (const auto& each : filesOf(session, *opened)) files.push_back(each.string());
-    content.take(source.lightField->overview(), source.display, files);
+    return openCapture(session, sessionFile, progress);
   });
 }
 
@@ -163,7 +211,10 @@ LiveFile::LiveFile(const LightFieldParams& params, const DisplayParams& display,
     throw InputError(display.hogels[0] > 0 ? "display.directions" : "display.hogels",
                      "is missing: a scene does not say it");
   auto content = params.content.make();
-  if (auto* capture = dynamic_cast<CaptureContent*>(content.get())) takeCapture(*capture, progress);
+  if (auto* ofSession = dynamic_cast<CaptureContent*>(content.get())) {
+    Capture capture = openCapture(ofSession->file(), progress);
+    ofSession->take(std::move(capture.lightField), capture.display, std::move(capture.files));
+  }
   content->open(panelOf(m_display), {".", std::int32_t(threadCount())}, Listener(progress));
   m_content = std::move(content);
 }
@@ -183,7 +234,11 @@ std::vector<std::string> LiveFile::warnings() const {
 }
 
 StoredType LiveFile::type() const {
-  return m_params.type == LiveType::real ? StoredType::real : StoredType::uint8;
+  const auto* capture = dynamic_cast<const CaptureContent*>(m_content.get());
+  const bool isReal = m_params.type == LiveType::capture && capture != nullptr
+                          ? capture->type() != StoredType::uint8
+                          : m_params.type == LiveType::real;
+  return isReal ? StoredType::real : StoredType::uint8;
 }
 
 std::shared_ptr<const LightFieldSource> LiveFile::source(const SourceUse& use,
@@ -202,14 +257,18 @@ void LiveFile::stream(const HogelRow& row, const Progress& progress) {
                           std::numeric_limits<std::size_t>::max());
   const auto [nx, ny, du, dv] = size();
   const double bytesOfRow = double(size().width()) * double(memoryBytes(type()) + 1);
-  const int most = int(std::clamp(double(allowedMemory()) / 2 / bytesOfRow, 1.0, double(dv)));
-  for (int j = 0; j < ny; ++j)
-    for (int v0 = 0; v0 < dv; v0 += most) {
-      const int v1 = std::min(v0 + most, dv);
-      const double done = (j + double(v0) / dv) / ny;
-      const auto texels = source.slice(readsOfRows(size(), {j, j}, {0, du - 1}, {v0, v1 - 1}),
-                                       part(progress, done, (j + double(v1) / dv) / ny));
-      for (int v = v0; v < v1; ++v) handOutRow(*texels, j, v, row, j);
+  const double most = std::max(1.0, double(allowedMemory()) / 2 / bytesOfRow);
+  // A thread traces 16 rows of hogels at once; where there is no room for one, a part of it is.
+  const int hogelRows = int(std::clamp(most / dv, 1.0, 32.0 * threadCount()));
+  const int directions = int(std::min(most, double(dv)));
+  for (int j0 = 0; j0 < ny; j0 += hogelRows)
+    for (int v0 = 0; v0 < dv; v0 += directions) {
+      const int j1 = std::min(j0 + hogelRows, ny), v1 = std::min(v0 + directions, dv);
+      const auto fraction = [&](int v) { return (j0 + double(v) / dv * (j1 - j0)) / ny; };
+      const auto texels = source.slice(readsOfRows(size(), {j0, j1 - 1}, {0, du - 1}, {v0, v1 - 1}),
+                                       part(progress, fraction(v0), fraction(v1)));
+      for (int j = j0; j < j1; ++j)
+        for (int v = v0; v < v1; ++v) handOutRow(*texels, j, v, row, j);
     }
 }
 
