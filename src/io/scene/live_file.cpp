@@ -19,6 +19,7 @@
 #include "io/images/other_formats.h"
 #include "io/plugins/plugin_library.h"
 #include "io/scene/view_source.h"
+#include "io/store/light_field_store.h"
 
 namespace hogelscope {
 
@@ -155,9 +156,13 @@ Capture openCapture(const Session& session, const std::string& sessionFile,
     capture.display = latest.display;
     if (capture.lightField && session == latest.session && stamps == latest.stamps) return capture;
   }
-  const ViewSource source = loadViewSource(session, *opened, progress);
-  capture.lightField = source.lightField;
-  capture.display = source.display;
+  capture.display = resolved(displayOf(session), opened->size());
+  if (session.lightField.layout == Layout::pack)
+    capture.lightField = std::make_shared<const LightFieldStore>(
+        session.lightField.file, session.lightField.incoming,
+        std::min(allowedMemory() / 2, SourceUse().cache), 1);
+  else
+    capture.lightField = opened->source({}, progress);
   const std::lock_guard lock(latest.mutex);
   latest.session = session;
   latest.stamps = stamps;
@@ -167,7 +172,8 @@ Capture openCapture(const Session& session, const std::string& sessionFile,
 }
 
 /// Opens the capture of a session, without the session's twin and states. One that is in use, and
-/// whose files are as they were, is not read again.
+/// whose files are as they were, is not read again. A store is read slice by slice, also where all
+/// of it had room: most views need a small part of it.
 Capture openCapture(const std::string& sessionFile, const Progress& progress) {
   if (sessionFile.empty())
     throw InputError("lightField.session.file", "is missing: name the session of a capture");
