@@ -6,6 +6,7 @@
 #include <ctime>
 
 #include "core/base/text.h"
+#include "core/content/capture_content.h"
 #include "core/optics/sampling.h"
 #include "io/documents/session_file.h"
 #include "io/files/content_hash.h"
@@ -77,7 +78,9 @@ ReportFacts factsOf(const ReportRequest& request, FileHashes& hashes, const Prog
          request.sessionFile + ", XXH3-128 " + hashes.of({request.sessionFile}, progress));
   lightField("Light field", session, *request.file);
   if (request.isAgainstIdeal)
-    line("Reference", "ideal view: the scene itself, without the display");
+    line("Reference", session.lightField.source == CaptureContent::sourceName
+                          ? "ideal view: the capture itself, interpolated, without the display"
+                          : "ideal view: the scene itself, without the display");
   if (request.isAgainstDesign)
     line("Reference", "the display as designed; the tests are units as they were built");
   for (const ReportTest& test : request.tests) {
