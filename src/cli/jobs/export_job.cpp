@@ -15,6 +15,8 @@
 #include "io/files/atomic_file.h"
 #include "io/files/folders.h"
 #include "io/scene/light_field_export.h"
+#include "io/scene/view_source.h"
+#include "web/view_page.h"
 
 namespace hogelscope {
 
@@ -52,6 +54,28 @@ int exportRig(const Session& session, const CommandLine& line) {
   return 0;
 }
 
+int exportPage(const Session& session, const CommandLine& line) {
+  requirePage(session);
+  std::optional<PageQuality> quality;
+  if (line.has("quality"))
+    quality = line.text("quality") == "exact" ? PageQuality::exact : PageQuality::small;
+  const fs::path output = line.text("output");
+  const Input input(session, openLightField(session.lightField, session.display));
+  checkResults(line, session, {output});
+  makeFolderOf(output);
+  ProgressBar bar("exporting", line.has("quiet"));
+  const fs::path name = fs::path(line.text("session")).stem();
+  const ViewPage page = viewPage(session, *input.file, name.empty() ? "hogelscope" : name.string(),
+                                 quality, bar.progress());
+  writeTextFile(output, page.html);
+  bar.done();
+  if (!finish(line, session)) return 0;
+  std::cout << printable(output.string()) << ": a page of "
+            << numberText(fourDigits(double(page.html.size()) / 1e6)) << " MB\n";
+  for (const std::string& note : page.notes) std::cout << note << "\n";
+  return 0;
+}
+
 int runExport(const CommandLine& line) {
   if (line.has("twin") && !line.has("for-twin"))
     throw InputError(
@@ -61,6 +85,8 @@ int runExport(const CommandLine& line) {
     return exportRig(loadSession(line.text("session"), line.texts("set")), line);
   const Session session = loadSessionOf(line);
   if (line.subject == "rig") return exportRig(session, line);
+  if (line.subject == "page") return exportPage(session, line);
+  if (line.has("quality")) throw InputError("command line", "--quality", "is for --export page");
   if (line.subject == "pack") requireHogels(session.display, "a pack");
   if (line.has("for-twin") && line.subject == "pack")
     throw InputError("command line", "--for-twin",
@@ -72,9 +98,9 @@ int runExport(const CommandLine& line) {
   }
   const std::optional<ExportLayout> layout = exportLayoutNamed(line.subject);
   if (!layout)
-    throw InputError(
-        "--export",
-        "\"" + line.subject + "\" is not one of hogels, views, quilt, mosaic, woven, pack, rig");
+    throw InputError("--export",
+                     "\"" + line.subject +
+                         "\" is not one of hogels, views, quilt, mosaic, woven, pack, rig, page");
   if (std::ranges::count(exportLayoutsOf(session.display), *layout) == 0)
     throw InputError("--export " + line.subject,
                      session.display.sheet
@@ -111,12 +137,13 @@ int runExport(const CommandLine& line) {
 Job exportJob() {
   return {
       .name = "export",
-      .value = "hogels|views|quilt|mosaic|woven|pack|rig",
+      .value = "hogels|views|quilt|mosaic|woven|pack|rig|page",
       .help =
           "Writes the session's light field, of any layout or live, as hogels (one image), "
           "views (a folder), quilt, mosaic (one image of all views) or pack (a store); of a lens "
           "sheet as quilt or views, or as woven the panel's picture; or as rig "
-          "the cameras that take its views, FILE.json and FILE.gltf.",
+          "the cameras that take its views, FILE.json and FILE.gltf; or as page one HTML file "
+          "with the engine in it, in which anyone moves around the display.",
       .details =
           "Values keep their type: 8 or 16 bits or floats, which need .exr or .tif. What a "
           "live scene becomes gives the same pictures as the scene itself. Only a light "
@@ -124,14 +151,17 @@ Job exportJob() {
           "and mosaic. "
           "After a stop pack goes on where it was. A rig needs "
           "lightField.viewingDistance, and no light field if the display has hogels and "
-          "directions.",
+          "directions. A page opens in any browser, without a network; all of the light field is "
+          "in it. Its pictures are the program's to the byte, or with --quality small, and beyond "
+          "8 MB, compressed, which the page says.",
       .examples =
           "  hogelscope --export hogels --session live.json --output hogels.png\n"
           "  hogelscope --export pack --session live.json --output store.tif\n"
           "  hogelscope --export quilt --session live.json --output room_qs8x6a1.png \\\n"
           "             --set display.directions=[48,1]\n"
           "  hogelscope --export rig --session s.json --output rig.json \\\n"
-          "             --set lightField.viewingDistance=0.6\n",
+          "             --set lightField.viewingDistance=0.6\n"
+          "  hogelscope --export page --session s.json --output s.html\n",
       .needs = {"session", "output"},
       .takes = {"set", "twin", "plugins-path", "save-session", "memory", "threads", "quiet"},
       .own =
@@ -139,7 +169,12 @@ Job exportJob() {
             .after = "save-session",
             .help =
                 "Content that is corrected for the session's twin, or --twin: seen through it, it "
-                "looks as the session's own does through the display as designed."}},
+                "looks as the session's own does through the display as designed."},
+           {.name = "quality",
+            .value = "exact|small",
+            .after = "for-twin",
+            .choices = {"exact", "small"},
+            .help = "Of a page: exact (PNG), or small (WebP). Default: exact up to 8 MB."}},
       .run = runExport};
 }
 

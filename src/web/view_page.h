@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// One HTML file with a session's light field, its states and the program's own engine, which shows
+// the display to anyone who opens it (resources/web).
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/optics/session.h"
+#include "io/layouts/light_field_file.h"
+
+namespace hogelscope {
+
+/// exact: PNG, decoded to the same bytes everywhere; small: WebP of quality 90.
+enum class PageQuality { exact, small };
+
+struct ViewPage {
+  std::string html;
+  PageQuality quality = PageQuality::exact;
+  LightFieldSize size;             ///< of the light field in it
+  std::vector<std::string> notes;  ///< what it shows otherwise than the program, in sentences
+};
+
+/// Throws InputError if this program has no engine for pages, or it does not show such a display.
+void requirePage(const Session& session);
+
+/// Returns the page of a session. Content of more than 8 bits is rounded to 8. Beyond 64 million
+/// directional pixels every second direction is taken, then every second hogel. Without a quality
+/// it is exact if the pictures take at most 8 MB. Names of folders and files are not in it. Throws
+/// InputError, Cancelled.
+ViewPage viewPage(const Session& session, LightFieldFile& lightField, const std::string& title,
+                  const std::optional<PageQuality>& quality, const Progress& progress);
+
+}  // namespace hogelscope
