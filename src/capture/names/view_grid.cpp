@@ -313,12 +313,14 @@ std::optional<Counted> asSubGrid(const SubGrid& grid, std::int64_t first,
   if (isGiven && (source.directions[0] != columns || source.directions[1] != rows))
     return std::nullopt;
   const auto [step, pitch, lines, count] = grid;
-  return Counted{
-      {std::size_t(rows), std::size_t(columns), source.scan},
-      [=](std::int64_t number) {
-        return (number - first) / pitch * count + (number - first) % pitch / step;
-      },
-      [=](std::int64_t view) { return first + view / count * pitch + view % count * step; }};
+  return Counted{{std::size_t(rows), std::size_t(columns), source.scan},
+                 // Named again: clang captures no structured bindings.
+                 [first, step = step, pitch = pitch, count = count](std::int64_t number) {
+                   return (number - first) / pitch * count + (number - first) % pitch / step;
+                 },
+                 [first, step = step, pitch = pitch, count = count](std::int64_t view) {
+                   return first + view / count * pitch + view % count * step;
+                 }};
 }
 
 /// Returns the views whose numbers are regular, with missing ones. Throws InputError.

@@ -208,7 +208,8 @@ std::vector<Borders> allBorders(const Axis& axis, const Progress& progress) {
     borders = bordersOf(axis, borders.period, borders.standOut);
   }
   std::erase_if(found, [&](const Borders& each) { return areOfLongerPeriod(axis, each.period); });
-  std::ranges::stable_partition(found, [](const Borders& each) { return !each.areOfBlocks(); });
+  std::stable_partition(found.begin(), found.end(),
+                        [](const Borders& each) { return !each.areOfBlocks(); });
   return found;
 }
 

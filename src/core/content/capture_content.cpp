@@ -180,9 +180,9 @@ void CaptureContent::traceIn(const LightField& texels, std::span<const plugin::R
           const std::uint32_t row =
               layout.j(std::uint32_t(down.hogel)) + layout.v(std::uint32_t(down.direction));
           for (const Tap& across : met->across.all()) {
-            const auto stored = std::bit_cast<std::array<T, 4>>(
-                list[row + layout.i(std::uint32_t(across.hogel)) +
-                     layout.u(std::uint32_t(across.direction))]);
+            const auto stored =
+                std::bit_cast<std::array<T, 4>>(list[row + layout.i(std::uint32_t(across.hogel)) +
+                                                     layout.u(std::uint32_t(across.direction))]);
             const auto weight = float(across.weight * down.weight);
             for (std::size_t c = 0; c < 4; ++c) sum[c] += weight * float(stored[c]);
           }

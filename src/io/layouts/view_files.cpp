@@ -196,8 +196,9 @@ std::vector<SizedSeries> seriesOfOneSize(NameSeries series, const YuvParams& yuv
     most = std::max(most, own.files.size());
     result.insert(result.begin(), {size, std::move(own)});  // so the widest come first
   }
-  std::ranges::stable_partition(
-      result, [most](const SizedSeries& one) { return 3 * one.series.files.size() >= most; });
+  std::stable_partition(result.begin(), result.end(), [most](const SizedSeries& one) {
+    return 3 * one.series.files.size() >= most;
+  });
   return result;
 }
 

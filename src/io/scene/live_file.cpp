@@ -270,7 +270,9 @@ void LiveFile::stream(const HogelRow& row, const Progress& progress) {
   for (int j0 = 0; j0 < ny; j0 += hogelRows)
     for (int v0 = 0; v0 < dv; v0 += directions) {
       const int j1 = std::min(j0 + hogelRows, ny), v1 = std::min(v0 + directions, dv);
-      const auto fraction = [&](int v) { return (j0 + double(v) / dv * (j1 - j0)) / ny; };
+      const auto fraction = [&, ny = ny, dv = dv](int v) {
+        return (j0 + double(v) / dv * (j1 - j0)) / ny;
+      };
       const auto texels = source.slice(readsOfRows(size(), {j0, j1 - 1}, {0, du - 1}, {v0, v1 - 1}),
                                        part(progress, fraction(v0), fraction(v1)));
       for (int j = j0; j < j1; ++j)
