@@ -27,5 +27,6 @@ PYBIND11_MODULE(_hogelscope, module) {
   addFigures(module);
   addMeasures(module);
   addReports(module);
+  addPages(module);
   module.attr("LightField").attr("__module__") = "hogelscope";
 }

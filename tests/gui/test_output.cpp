@@ -46,6 +46,7 @@
 #include "tests/gui/shown_image.h"
 #include "tests/io/any_images.h"
 #include "vtk/scene_export.h"
+#include "web/page_files.h"
 
 using namespace hogelscope;
 
@@ -137,6 +138,7 @@ class TestOutput : public SceneTest {
   void lightFields();
   void lightFieldsForAUnit();
   void lightFieldsAreAskedFor();
+  void pagesAreShared();
   void theDialogSaysWhatIsWrong();
   void withoutFfmpeg();
 
@@ -725,6 +727,20 @@ void TestOutput::lightFieldsAreAskedFor() {
   QCOMPARE(answers.proposed, QString("mosaic.png"));
   QTRY_COMPARE_WITH_TIMEOUT(done.size(), 1, patience);
   QVERIFY(QFileInfo::exists(path("out/mosaic.png")));
+}
+
+/// The page is asked for with its size, and has the session's states.
+void TestOutput::pagesAreShared() {
+  if (pageEngine().empty()) QSKIP("this program was built without the engine for pages");
+  const Answers answers([](QDialog*) {}, path("out/shared.html"));
+  QSignalSpy done(m_window->findChild<LightFieldOutput*>(), &LightFieldOutput::done);
+  child<QAction>("sharePageAction")->trigger();
+  QTRY_COMPARE_WITH_TIMEOUT(done.size(), 1, patience);
+  QCOMPARE(answers.proposed, QString("page.html"));
+  const QByteArray page = contentsOf(path("out/shared.html"));
+  for (const CameraState& state : m_model->session().cameras)
+    QVERIFY(page.contains(QByteArray::fromStdString(state.camera.name)));
+  QVERIFY(page.contains("data-exact=\"yes\"") && !page.contains(m_folder.path().toUtf8()));
 }
 
 /// What is wrong is said before anything is rendered, and keeps the dialog open.

@@ -4,15 +4,20 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDialogButtonBox>
+#include <QFileInfo>
 #include <QLabel>
+#include <QLocale>
 #include <QPushButton>
 #include <QVBoxLayout>
 
 #include "gui/session/session_model.h"
 #include "gui/widgets/command.h"
 #include "gui/widgets/dialogs.h"
+#include "gui/widgets/guarded.h"
+#include "io/files/atomic_file.h"
 #include "io/files/files_in_use.h"
 #include "io/scene/view_source.h"
+#include "web/view_page.h"
 
 namespace hogelscope {
 
@@ -125,7 +130,14 @@ LightFieldOutput::LightFieldOutput(QMenu* menu, QStatusBar* statusBar, SessionMo
                            tr("Writes the light field, also that of a live scene, as hogels, "
                               "views, a quilt, a mosaic or a store"),
                            Qt::CTRL | Qt::ALT | Qt::Key_L},
-                          this, &LightFieldOutput::ask)) {
+                          this, &LightFieldOutput::ask)),
+      m_share(addCommand(menu,
+                         {"sharePageAction", tr("S&hare as a page…"),
+                          tr("Writes one file with the display, its states and the engine, in "
+                             "which anyone moves around the display in a browser; all of the "
+                             "light field is in it"),
+                          Qt::CTRL | Qt::ALT | Qt::Key_P},
+                         this, &LightFieldOutput::share)) {
   connect(m_task, &Task::runningChanged, this, &LightFieldOutput::showState);
   showState();
 }
@@ -136,7 +148,7 @@ void LightFieldOutput::setSize(const std::optional<LightFieldSize>& size) {
 }
 
 void LightFieldOutput::showState() {
-  m_export->setEnabled(m_size && !m_task->isRunning());
+  for (QAction* action : {m_export, m_share}) action->setEnabled(m_size && !m_task->isRunning());
 }
 
 void LightFieldOutput::save(ExportLayout layout, const QString& output, bool isForTwin) {
@@ -146,6 +158,33 @@ void LightFieldOutput::save(ExportLayout layout, const QString& output, bool isF
     checkOutputs({output.toStdString()});
     exportAs(layout, session, *content, output.toStdString(), part(progress, 0.1, 1));
     return [this, output] { Q_EMIT done(tr("Saved %1").arg(output)); };
+  });
+}
+
+/// The page is made first, so that its size is known before a file is written.
+void LightFieldOutput::share() {
+  const QString file = m_model->file();
+  const std::string title =
+      (file.isEmpty() ? tr("A display") : QFileInfo(file).baseName()).toStdString();
+  m_task->start([=, this, session = m_model->session()](const Progress& progress) -> Task::Answer {
+    requirePage(session);
+    const auto content =
+        openLightField(session.lightField, session.display, part(progress, 0, 0.1));
+    // Marked as in use until the page has been written, too.
+    const auto inUse = std::make_shared<const FilesInUse>(filesOf(session, *content));
+    const ViewPage page = viewPage(session, *content, title, {}, part(progress, 0.1, 1));
+    return [this, page, inUse] {
+      const QString size = QLocale().formattedDataSize(qint64(page.html.size()));
+      const QString output = chooseNewFile(m_window, tr("Share a page of %1").arg(size),
+                                           "page.html", tr("Pages (*.html)"));
+      if (output.isEmpty()) return;
+      guarded(this, [&] {
+        checkOutputs({output.toStdString()});
+        writeTextFile(output.toStdString(), page.html);
+        Q_EMIT done(tr("Saved %1").arg(output) + " · " +
+                    QString::fromStdString(page.notes.front()));
+      });
+    };
   });
 }
 

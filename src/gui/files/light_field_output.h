@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Output of the session's light field to files, in the layouts of --export.
+// Output of the session's light field to files, in the layouts of --export, and as a page.
 #pragma once
 
 #include "gui/widgets/task_widgets.h"
@@ -28,11 +28,13 @@ class LightFieldOutput : public FileOutput {
 
  private:
   void ask();
+  void share();
   void showState();
 
   SessionModel* m_model;
   QWidget* m_window;
   QAction* m_export;
+  QAction* m_share;
   std::optional<LightFieldSize> m_size;
 };
 

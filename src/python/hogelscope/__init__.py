@@ -33,6 +33,7 @@ from ._content import info, open
 from ._figures import bd_rate, compare
 from ._hogelscope import InputError, LightField, add_plugin_folder, allow_memory
 from ._measure import depth, measure, sweep
+from ._page import Page, page
 from ._session import Report, Session, cameras, report
 from ._view import View
 
@@ -40,6 +41,7 @@ __version__: str = _hogelscope.version
 __all__ = [
     "InputError",
     "LightField",
+    "Page",
     "Report",
     "Session",
     "View",
@@ -52,6 +54,7 @@ __all__ = [
     "info",
     "measure",
     "open",
+    "page",
     "report",
     "sweep",
 ]

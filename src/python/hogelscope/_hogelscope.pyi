@@ -86,6 +86,14 @@ def normal(document: Document) -> str: ...
 def open(
     document: Document, warnings: Sequence[str], progress: Optional[Callable[[float], object]]
 ) -> LightField: ...
+def page(
+    document: Document,
+    title: str,
+    output: str,
+    is_exact: Optional[bool],
+    threads: int,
+    progress: Optional[Callable[[float], object]],
+) -> Tuple[str, List[str]]: ...
 def report(
     document: Document,
     light_field: Union[None, LightField, str],

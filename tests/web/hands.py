@@ -1,0 +1,134 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""hands.py PROGRAM SOURCE [PICTURE]: a page of --export page by mouse, wheel, keys and sliders.
+
+Exit status 77 without Chromium, its driver or selenium. PICTURE gets what is shown at the end.
+"""
+import os
+import shutil
+import subprocess
+import sys
+import tempfile
+import time
+
+try:
+    from selenium import webdriver
+    from selenium.webdriver.chrome.options import Options
+    from selenium.webdriver.chrome.service import Service
+    from selenium.webdriver.common.action_chains import ActionChains
+    from selenium.webdriver.common.actions.wheel_input import ScrollOrigin
+    from selenium.webdriver.common.by import By
+except ImportError:
+    print("there is no selenium")
+    sys.exit(77)
+
+PROGRAM, SOURCE = (os.path.abspath(argument) for argument in sys.argv[1:3])
+CHROMIUM, DRIVER = shutil.which("chromium"), shutil.which("chromedriver")
+if CHROMIUM is None or DRIVER is None:
+    print("there is no Chromium with its driver")
+    sys.exit(77)
+
+
+class Page:
+    """A page in a window of this size, once it has its small pictures."""
+
+    def __init__(self, file, size):
+        options = Options()
+        for argument in ("--headless=new", "--no-sandbox", "--disable-gpu", f"--window-size={size}"):
+            options.add_argument(argument)
+        options.binary_location = CHROMIUM
+        self.driver = webdriver.Chrome(service=Service(DRIVER), options=options)
+        self.driver.get(f"file://{os.path.abspath(file)}")
+        self.wait(lambda: self.script("document.body.dataset.ready") == "yes")
+
+    def script(self, text):
+        return self.driver.execute_script(f"return {text}")
+
+    def text(self, name):
+        return self.script(f"document.getElementById('{name}').textContent")
+
+    def wait(self, condition):
+        end = time.time() + 120
+        while not condition():
+            assert time.time() < end, (self.text("error"), self.text("place"), self.text("pixel"))
+            time.sleep(0.02)
+
+    def pixels(self):
+        """A sum over what the canvas shows."""
+        return self.script("[...document.getElementById('view').getContext('2d').getImageData(0, 0, "
+                           "document.getElementById('view').width, document.getElementById('view').height)"
+                           ".data].reduce((sum, value, k) => (sum * 31 + value) % 1000003, 7)")
+
+    def after(self, action):
+        """Does something to the picture, and returns when it has changed."""
+        before = self.pixels()
+        action()
+        self.wait(lambda: self.pixels() != before)
+
+
+def eye(page):
+    return [float(value) for value in page.text("place").split(" m:")[0].removeprefix("Eye at ").split(", ")]
+
+
+def check(page):
+    view = page.driver.find_element(By.ID, "view")
+    begin = page.pixels()
+    assert eye(page) == [0, 0, 0.559], eye(page)
+    page.after(lambda: ActionChains(page.driver).drag_and_drop_by_offset(view, 60, 0).perform())
+    assert eye(page)[0] < -0.05, "a drag to the right turns the display to the right"
+    page.after(lambda: ActionChains(page.driver).scroll_from_origin(ScrollOrigin.from_element(view), 0, 300).perform())
+    assert sum(value * value for value in eye(page)) > 0.65 ** 2, "the wheel moves away"
+    view.send_keys("0")
+    page.wait(lambda: page.pixels() == begin)
+    page.after(lambda: view.send_keys("\ue014"))  # the right arrow
+    assert eye(page)[0] > 0.01
+    page.after(lambda: view.send_keys("2"))
+    assert page.script("document.querySelectorAll('#states button')[1].getAttribute('aria-pressed')") == "true"
+    view.send_keys("1")
+    page.wait(lambda: page.pixels() == begin)
+    # A slider says its value with its unit, also to those who hear it.
+    slider = page.driver.find_element(By.ID, "distortion.k1")
+    page.after(lambda: slider.send_keys("\ue012"))
+    slider = page.driver.find_element(By.ID, "psf.sigma")
+    page.after(lambda: slider.send_keys("\ue014"))
+    assert slider.get_attribute("aria-valuetext").endswith(" px"), slider.get_attribute("aria-valuetext")
+    # Both eyes, and the sampling.
+    for name in ("show", "sampling.reconstruction"):
+        page.after(lambda: page.script(
+            f"(s => {{ s.selectedIndex = 2; s.dispatchEvent(new Event('input')); }})(document.getElementById('{name}'))"))
+    page.script("(s => { s.selectedIndex = 0; s.dispatchEvent(new Event('input')); })(document.getElementById('show'))")
+    # Why is this pixel black?
+    view.send_keys("2")
+    page.wait(lambda: page.script("document.querySelectorAll('#states button')[1].getAttribute('aria-pressed')") == "true")
+    time.sleep(0.3)
+    corner = (4 - view.size["width"] / 2, 4 - view.size["height"] / 2)
+    ActionChains(page.driver).move_to_element_with_offset(view, *map(int, corner)).click().perform()
+    page.wait(lambda: "black: " in page.text("pixel"))
+    ActionChains(page.driver).move_to_element(view).click().perform()
+    page.wait(lambda: "seen; hogel " in page.text("pixel"))
+    assert page.text("error") == ""
+    # Nothing was asked of a network.
+    assert page.script("performance.getEntriesByType('resource').filter(e => !/^(data|blob):/.test(e.name)).length") == 0
+
+
+with tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as folder:
+    os.environ["HOME"] = folder
+    file = os.path.join(folder, "page.html")
+    subprocess.run([PROGRAM, "--export", "page", "--session", os.path.join(SOURCE, "data/table1.json"),
+                    "--output", file, "--quiet"], check=True)
+    page = Page(file, "1200,900")
+    try:
+        check(page)
+        if len(sys.argv) > 3:
+            page.driver.save_screenshot(sys.argv[3])
+    finally:
+        page.driver.quit()
+    page = Page(file, "500,900")  # the least that Chromium has
+    try:
+        page.driver.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", {
+            "width": 390, "height": 800, "deviceScaleFactor": 2, "mobile": True})
+        assert page.script("document.documentElement.scrollWidth") <= 390, "wider than a phone"
+        assert page.script("document.getElementById('view').getBoundingClientRect().width") > 300
+    finally:
+        page.driver.quit()
+print("all of it is as it should be")
