@@ -28,7 +28,7 @@ function(hogelscope_add_web_engine)
   get_target_property(sources hogelscope_core SOURCES)
   list(FILTER sources INCLUDE REGEX "^core/(base|light_field|panel|optics|lens|engine)/")
   list(REMOVE_ITEM sources core/base/parallel.cpp)
-  list(APPEND sources web/engine/serial.cpp web/engine/thrown.cpp web/engine/engine.cpp)
+  list(APPEND sources core/metrics/error_map.cpp core/metrics/squared_error.cpp web/engine/serial.cpp web/engine/thrown.cpp web/engine/engine.cpp)
   set(options -std=c++20 -O3 -DNDEBUG -msimd128 -mbulk-memory -mnontrapping-fptoint -ffp-contract=off
     -fexceptions -fignore-exceptions -fvisibility=hidden -Wno-parentheses
     -include ${CMAKE_CURRENT_SOURCE_DIR}/web/engine/no_threads.h -I${CMAKE_CURRENT_SOURCE_DIR})
@@ -53,7 +53,7 @@ function(hogelscope_add_web_engine)
   endforeach()
 
   set(functions hs_version hs_alloc hs_free hs_field hs_view_row hs_hash hs_reset hs_set hs_fields
-    hs_render hs_panel hs_picture hs_mask hs_width hs_why hs_focus)
+    hs_render hs_compare hs_panel hs_picture hs_mask hs_width hs_why hs_focus)
   list(TRANSFORM functions PREPEND -Wl,--export=)
   set(HOGELSCOPE_WEB_ENGINE ${CMAKE_BINARY_DIR}/web/engine.wasm.gz CACHE INTERNAL "The engine for web pages")
   # Without -O, which would run wasm-opt where it is installed: the bytes would depend on that.

@@ -85,6 +85,12 @@ class Engine {
     this.c.hs_render(field, show);
     return this.picture(state.res[1]);
   }
+  // The error of a light field against the first one as a picture, and its PSNR.
+  compare(state, show, field) {
+    this.setState(state);
+    const psnr = this.c.hs_compare(field, show);
+    return { psnr, ...this.picture(state.res[1]) };
+  }
   // The panel as the state's eye sees it; none if the eye is not before it.
   panel(state, width, height, field = 0) {
     this.setState(state);

@@ -6,6 +6,7 @@ const data = {
   session: JSON.parse($('session').textContent),
   engine: $('engine').textContent,
   hashes: [...document.querySelectorAll('.field')].map(field => field.dataset.hash),
+  names: [...document.querySelectorAll('.field')].map(field => JSON.parse(field.textContent)),
   isExact: document.querySelector('.field').dataset.exact === 'yes',
   pictures: [...document.querySelectorAll('.views')].map(script =>
       ({ field: +script.dataset.field, u: +script.dataset.u, v: +script.dataset.v, base64: script.textContent })),
@@ -17,6 +18,7 @@ const SLIDERS = {
 };
 
 let state, orbit, fields, current = 0, isMoving = false, isWaiting = false, isWanted = false, cost = 0, shown;
+let content = 0, test = 1;  // what is shown; the test that is compared with content 0
 let sampling = { ...data.session.sampling };
 
 function tell(error) { $('error').textContent = error ? error.message : ''; }
@@ -30,11 +32,11 @@ function startWorker() {
   const worker = new Worker(URL.createObjectURL(new Blob([source], { type: 'text/javascript' })));
   const waiting = new Map();
   let last = 0;
-  worker.onmessage = ({ data: { number, share, error, ...answer } }) => {
+  worker.onmessage = ({ data: { number, share, failure, ...answer } }) => {
     const { done, failed, told } = waiting.get(number);
     if (share !== undefined) return told(share);
     waiting.delete(number);
-    if (error) failed(new Error(error));
+    if (failure) failed(new Error(failure));
     else done(answer);
   };
   worker.onerror = () => tell(new Error('The engine cannot start in this browser.'));
@@ -59,7 +61,7 @@ async function draw() {
       request.intrinsics = Object.fromEntries(Object.entries(state.intrinsics).map(([k, value]) => [k, value / share]));
   }
   try {
-    const picture = await ask('render', { state: request, sampling, show: +$('show').value, field: 0 });
+    const picture = await pictureOf({ state: request, sampling, show: +$('show').value });
     cost = share * share * picture.ms;
     shown = picture;
     const canvas = $('view');
@@ -71,6 +73,50 @@ async function draw() {
   } catch (error) { tell(error); }
   isWaiting = false;
   if (isWanted) draw();
+}
+
+// Renders what is shown: a content, or two of them compared.
+async function pictureOf(request) {
+  if (data.hashes.length === 1) return ask('render', { ...request, field: 0 });
+  const { error, reference, test: other, ms } = await ask('compare', { ...request, field: test });
+  const decibels = error.psnr === Infinity ? 'identical' : Number.isNaN(error.psnr) ? 'nothing is seen in both' : `PSNR ${error.psnr.toFixed(2)} dB`;
+  $('psnr').textContent = `${data.names[test]} against ${data.names[0]}: ${decibels}`;
+  if ($('mode').value === 'error') return { ...error, ms };
+  if ($('mode').value === 'blink') return { ...(content ? other : reference), ms };
+  // Left of the line is the reference.
+  const place = Math.round($('wipe').value / 100 * reference.width), row = 4 * reference.width;
+  for (let y = 0; y < reference.height; ++y)
+    reference.rgba.set(other.rgba.subarray(y * row + 4 * place, (y + 1) * row), y * row + 4 * place);
+  for (let y = 0; y < reference.height && place < reference.width; ++y) reference.rgba.set([255, 255, 255, 255], y * row + 4 * place);
+  return { ...reference, ms };
+}
+
+function showContent(k) {
+  if (k >= data.names.length) return;
+  content = k;
+  if (k) test = k;
+  if ($('mode').value !== 'blink' && !k) $('mode').value = 'blink';
+  [...$('contents').children].forEach((button, n) => button.setAttribute('aria-pressed', n === k));
+  $('wipeLabel').hidden = $('mode').value !== 'wipe';
+  draw();
+}
+
+function addContents() {
+  if (data.names.length < 2) return;
+  $('compare').hidden = false;
+  data.names.forEach((name, k) => {
+    const button = document.createElement('button');
+    button.type = 'button';
+    button.textContent = `${k + 1}  ${name}`;
+    button.onclick = () => showContent(k);
+    $('contents').append(button);
+  });
+  $('mode').addEventListener('input', () => showContent($('mode').value === 'blink' ? content : test));
+  const sayWipe = () => { $('wipe').nextElementSibling.textContent = `${$('wipe').value} %`; };
+  $('wipe').addEventListener('input', () => { sayWipe(); draw(); });
+  sayWipe();
+  $('digits').textContent = 'choose what is shown, Page Up and Page Down a state,';
+  [...$('contents').children].forEach((button, n) => button.setAttribute('aria-pressed', n === 0));
 }
 
 function put(canvas, { rgba, width, height }) {
@@ -160,7 +206,7 @@ function fill() {
   $('camera.fov').disabled = false;
 }
 
-async function addStates() {
+function addStates() {
   for (const [k, camera] of data.session.cameras.entries()) {
     const button = document.createElement('button');
     button.type = 'button';
@@ -207,7 +253,7 @@ async function clicked(x, y, isControl) {
       }
       return;
     }
-    const { text } = await ask('why', { state: looking, x: px, y: py, field: 0 });
+    const { text } = await ask('why', { state: looking, x: px, y: py, field: content });
     $('pixel').textContent = `Pixel ${px}, ${py}: ${text}`
         + (isControl ? '. This state is a pinhole, which sees everything sharp: give its pupil a diameter' : '');
   } catch (error) { tell(error); }
@@ -218,7 +264,10 @@ function connect() {
   moveByHand(canvas, () => orbit, moving => { isMoving = moving; draw(); }, clicked);
   canvas.addEventListener('keydown', e => {
     if (e.ctrlKey || e.altKey || e.metaKey) return;
-    if (e.key >= '1' && e.key <= '9') choose(e.key - 1);
+    // Digits are contents where there are several, and states follow each other by Page Up and Down.
+    if (e.key >= '1' && e.key <= '9') (data.names.length > 1 ? showContent : choose)(e.key - 1);
+    const way = { PageDown: 1, PageUp: -1 }[e.key];
+    if (way) { e.preventDefault(); choose(current + way); }
     if (e.key === '0') choose(current);
   });
   $('controls').addEventListener('submit', e => e.preventDefault());
@@ -273,6 +322,7 @@ async function main() {
     });
     fields = loaded.fields;
     addFields();
+    addContents();
     addStates();
     connect();
     choose(0);

@@ -19,6 +19,10 @@ onmessage = async ({ data: { number, what, ...request } }) => {
       if (request.sampling) engine.setAll('sampling', request.sampling);
       answer = engine.render(state, show, field);
     }
+    if (what === 'compare') {
+      engine.setAll('sampling', request.sampling);
+      answer = { error: engine.compare(state, show, field), reference: engine.render(state, show, 0), test: engine.render(state, show, field) };
+    }
     if (what === 'panel') answer = engine.panel(state, width, height, field) || {};
     if (what === 'why') answer = { text: engine.why(state, x, y, field) };
     if (what === 'focus') answer = { focus: engine.focus(state, x, y, field) };
@@ -26,6 +30,6 @@ onmessage = async ({ data: { number, what, ...request } }) => {
                 answer.rgba ? [answer.rgba.buffer, answer.mask.buffer] : []);
   } catch (error) {
     if (!(error instanceof RangeError)) engine = undefined;  // an error of the core leaves it unusable
-    postMessage({ number, error: error.message });
+    postMessage({ number, failure: error.message });
   }
 };

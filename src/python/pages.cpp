@@ -29,12 +29,13 @@ std::tuple<std::string, std::vector<std::string>> page(const Document& document,
   return stoppable(progress, [&](const Progress& hear) {
     const Session session = sessionOf(document);
     requirePage(session);
-    const auto file = openLightField(session.lightField, session.display, part(hear, 0, 0.1));
+    const std::shared_ptr<LightFieldFile> file =
+        openLightField(session.lightField, session.display, part(hear, 0, 0.1));
     const FilesInUse inUse(filesOf(session, *file));
     if (!output.empty()) checkOutputs({output});
     std::optional<PageQuality> quality;
     if (isExact) quality = *isExact ? PageQuality::exact : PageQuality::small;
-    ViewPage made = viewPage(session, *file, title, quality, part(hear, 0.1, 1));
+    ViewPage made = viewPage(session, {{title, file}}, title, quality, part(hear, 0.1, 1));
     if (!output.empty()) {
       makeFolderOf(output);
       writeTextFile(output, made.html);

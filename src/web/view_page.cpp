@@ -15,6 +15,7 @@
 #include "io/documents/session_file.h"
 #include "io/files/system_limits.h"
 #include "io/images/image_writer.h"
+#include "io/json/json_parameters.h"
 #include "page/html.h"
 #include "web/page_files.h"
 
@@ -36,10 +37,10 @@ struct Thinning {
   int directionStep = 1;
 };
 
-Thinning thinningOf(const LightFieldSize& of) {
+Thinning thinningOf(const LightFieldSize& of, double most) {
   Thinning thinning{of};
   const auto count = [](int all, int step) { return std::max(1, all / step); };
-  while (double(thinning.size.width()) * double(thinning.size.height()) > mostTexels) {
+  while (double(thinning.size.width()) * double(thinning.size.height()) > most) {
     const bool hasMany = std::max(thinning.size.du, thinning.size.dv) > 2 * leastDirections;
     (hasMany ? thinning.directionStep : thinning.hogelStep) *= 2;
     thinning.size = {count(of.nx, thinning.hogelStep), count(of.ny, thinning.hogelStep),
@@ -148,6 +149,47 @@ std::size_t bytesOf(const std::vector<Picture>& pictures) {
   return bytes;
 }
 
+/// A JSON text that stands in a script.
+std::string forScript(std::string json) {
+  for (std::size_t at = 0; (at = json.find('<', at)) != std::string::npos; at += 6)
+    json.replace(at, 1, "\\u003c");
+  return json;
+}
+
+/// The scripts that hold a light field: its name, and its pictures.
+std::string scriptsOf(const std::string& name, const std::string& hash,
+                      const std::vector<Picture>& pictures, std::size_t field, bool isExact) {
+  const std::string number = std::to_string(field);
+  std::string text = "<script type=\"application/json\" class=\"field\" data-hash=\"" + hash +
+                     "\" data-exact=\"" + (isExact ? "yes" : "no") + "\">" +
+                     forScript(Json(name).dump(-1, ' ', false, Json::error_handler_t::replace)) +
+                     "</script>\n";
+  for (const auto& [u, v, bytes] : pictures)
+    text += "<script type=\"application/octet-stream\" class=\"views\" data-field=\"" + number +
+            "\" data-u=\"" + std::to_string(u) + "\" data-v=\"" + std::to_string(v) + "\">" +
+            base64(bytes) + "</script>\n";
+  return text;
+}
+
+/// What the page shows otherwise than the program.
+std::vector<std::string> notesOf(const std::vector<PageContent>& contents, const Thinning& thinning,
+                                 PageQuality quality) {
+  std::vector<std::string> notes{"The content is " +
+                                 std::string(qualityWords[std::size_t(quality)]) + "."};
+  const bool isDeep = std::ranges::any_of(contents, [](const PageContent& content) {
+    return content.file->bits() > 8 || content.file->type() != StoredType::uint8;
+  });
+  if (isDeep) notes.emplace_back("It is rounded to 8 bits.");
+  const LightFieldSize all = contents.front().file->size();
+  if (thinning.directionStep > 1)
+    notes.push_back("It has every " + everyWords(thinning.directionStep) + " of " +
+                    pairText(all.du, all.dv) + " directions.");
+  if (thinning.hogelStep > 1)
+    notes.push_back("It has every " + everyWords(thinning.hogelStep) + " of " +
+                    pairText(all.nx, all.ny) + " hogels across and down.");
+  return notes;
+}
+
 /// The document that the page reads: display, sampling and states.
 std::string documentOf(const Session& session, const LightFieldSize& size) {
   Session shown;
@@ -158,9 +200,7 @@ std::string documentOf(const Session& session, const LightFieldSize& size) {
   shown.sampling = session.sampling;
   shown.cameras = session.cameras;
   std::string text = textOf(shown);
-  for (std::size_t at = 0; (at = text.find('<', at)) != std::string::npos; at += 6)
-    text.replace(at, 1, "\\u003c");
-  return text;
+  return forScript(std::move(text));
 }
 
 /// A still picture of the first state, for where no scripts run.
@@ -225,60 +265,67 @@ void requirePage(const Session& session) {
   if (session.cameras.empty()) throw InputError("cameras", "is empty: a page needs a camera state");
 }
 
-ViewPage viewPage(const Session& session, LightFieldFile& lightField, const std::string& title,
-                  const std::optional<PageQuality>& quality, const Progress& progress) {
+ViewPage viewPage(const Session& session, const std::vector<PageContent>& contents,
+                  const std::string& title, const std::optional<PageQuality>& quality,
+                  const Progress& progress) {
   requirePage(session);
+  const LightFieldSize all = contents.front().file->size();
+  for (const PageContent& content : contents)
+    if (content.file->size() != all)
+      throw InputError(content.name,
+                       "has other hogels or directions than the session's light field",
+                       "a page compares contents of one display");
   ViewPage page;
-  const Thinning thinning = thinningOf(lightField.size());
+  const auto count = double(contents.size());
+  const Thinning thinning = thinningOf(all, mostTexels / count);
   page.size = thinning.size;
-  checkFits(double(page.size.width()) * double(page.size.height()) * 7, "the page's content");
-  const Values values = valuesOf(lightField, thinning, part(progress, 0, 0.5));
-  page.quality = quality.value_or(PageQuality::exact);
-  std::vector<Picture> pictures =
-      picturesOf(values, page.size, page.quality, part(progress, 0.5, quality ? 1 : 0.8));
-  if (!quality && bytesOf(pictures) > mostExact) {
-    page.quality = PageQuality::small;
-    pictures = picturesOf(values, page.size, page.quality, part(progress, 0.8, 1));
+  checkFits(double(page.size.width()) * double(page.size.height()) * (3 * count + 4),
+            "the page's content");
+  std::vector<Values> values;
+  for (const PageContent& content : contents) {
+    const double done = double(values.size()) / count / 2;
+    values.push_back(valuesOf(*content.file, thinning, part(progress, done, done + 0.5 / count)));
   }
-  const LightFieldSize all = lightField.size();
-  page.notes.push_back("The content is " + std::string(qualityWords[std::size_t(page.quality)]) +
-                       ".");
-  if (lightField.bits() > 8 || lightField.type() != StoredType::uint8)
-    page.notes.push_back("It is rounded to 8 bits.");
-  if (thinning.directionStep > 1)
-    page.notes.push_back("It has every " + everyWords(thinning.directionStep) + " of " +
-                         pairText(all.du, all.dv) + " directions.");
-  if (thinning.hogelStep > 1)
-    page.notes.push_back("It has every " + everyWords(thinning.hogelStep) + " of " +
-                         pairText(all.nx, all.ny) + " hogels across and down.");
-  const bool isExact = page.quality == PageQuality::exact;
-  std::string content = "<script type=\"application/json\" class=\"field\" data-hash=\"" +
-                        hashOf(values) + "\" data-exact=\"" + (isExact ? "yes" : "no") +
-                        "\">{}</script>\n";
-  for (const Picture& picture : pictures)
-    content +=
-        "<script type=\"application/octet-stream\" class=\"views\" data-field=\"0\" "
-        "data-u=\"" +
-        std::to_string(picture.u) + "\" data-v=\"" + std::to_string(picture.v) + "\">" +
-        base64(picture.bytes) + "</script>\n";
+  const auto encode = [&](PageQuality as, double from, double to) {
+    std::vector<std::vector<Picture>> pictures;
+    for (const Values& each : values) {
+      const double done = from + (to - from) * double(pictures.size()) / count;
+      pictures.push_back(
+          picturesOf(each, page.size, as, part(progress, done, done + (to - from) / count)));
+    }
+    return pictures;
+  };
+  page.quality = quality.value_or(PageQuality::exact);
+  auto pictures = encode(page.quality, 0.5, quality ? 1 : 0.8);
+  std::size_t bytes = 0;
+  for (const auto& each : pictures) bytes += bytesOf(each);
+  if (!quality && bytes > mostExact) {
+    page.quality = PageQuality::small;
+    pictures = encode(page.quality, 0.8, 1);
+  }
+  page.notes = notesOf(contents, thinning, page.quality);
   std::string facts = pairText(page.size.nx, page.size.ny) + " hogels of " +
                       pairText(page.size.du, page.size.dv) +
-                      " directions. The pictures are "
-                      "computed here, by the engine of Hogelscope " +
+                      " directions. The pictures are computed here, by the engine of Hogelscope " +
                       programVersion() + ".";
   for (const std::string& note : page.notes) facts += " " + note;
-  page.html = filled(pageFile("page.html"), {{"title", escaped(title)},
-                                             {"version", versionWords()},
-                                             {"facts", escaped(facts)},
-                                             {"still", base64(stillOf(session, values, page.size))},
-                                             {"session", documentOf(session, page.size)},
-                                             {"engine", base64(std::string(pageEngine()))},
-                                             {"content", content},
-                                             {"page.css", std::string(pageFile("page.css"))},
-                                             {"engine.js", std::string(pageFile("engine.js"))},
-                                             {"worker.js", std::string(pageFile("worker.js"))},
-                                             {"eye.js", std::string(pageFile("eye.js"))},
-                                             {"page.js", std::string(pageFile("page.js"))}});
+  std::string content;
+  for (std::size_t k = 0; k < contents.size(); ++k)
+    content += scriptsOf(contents[k].name, hashOf(values[k]), pictures[k], k,
+                         page.quality == PageQuality::exact);
+  page.html =
+      filled(pageFile("page.html"), {{"title", escaped(title)},
+                                     {"version", versionWords()},
+                                     {"facts", escaped(facts)},
+                                     {"still", base64(stillOf(session, values.front(), page.size))},
+                                     {"session", documentOf(session, page.size)},
+                                     {"engine", base64(std::string(pageEngine()))},
+                                     {"content", content},
+                                     {"page.css", std::string(pageFile("page.css"))},
+                                     {"engine.js", std::string(pageFile("engine.js"))},
+                                     {"worker.js", std::string(pageFile("worker.js"))},
+                                     {"eye.js", std::string(pageFile("eye.js"))},
+                                     {"page.js", std::string(pageFile("page.js"))}});
   return page;
 }
 

@@ -4,7 +4,7 @@
 #pragma once
 
 #include <cstddef>
-#include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -25,14 +25,22 @@ struct ViewPage {
   std::vector<std::string> notes;  ///< what it shows otherwise than the program, in sentences
 };
 
+/// A light field of a page, and what the page calls it.
+struct PageContent {
+  std::string name;
+  std::shared_ptr<LightFieldFile> file;
+};
+
 /// Throws InputError if this program has no engine for pages, or it does not show such a display.
 void requirePage(const Session& session);
 
-/// Returns the page of a session. Content of more than 8 bits is rounded to 8. Beyond 64 million
-/// directional pixels every second direction is taken, then every second hogel. Without a quality
-/// it is exact if the pictures take at most 8 MB. Names of folders and files are not in it. Throws
-/// InputError, Cancelled.
-ViewPage viewPage(const Session& session, LightFieldFile& lightField, const std::string& title,
-                  const std::optional<PageQuality>& quality, const Progress& progress);
+/// Returns the page of a session. The first content is its own, others of the same size are
+/// compared with it. Content of more than 8 bits is rounded to 8. Beyond 64 million directional
+/// pixels every second direction is taken, then every second hogel. Without a quality it is exact
+/// if the pictures take at most 8 MB. Names of folders and files are not in it. Throws InputError,
+/// Cancelled.
+ViewPage viewPage(const Session& session, const std::vector<PageContent>& contents,
+                  const std::string& title, const std::optional<PageQuality>& quality,
+                  const Progress& progress);
 
 }  // namespace hogelscope

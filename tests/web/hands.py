@@ -4,12 +4,15 @@
 
 Exit status 77 without Chromium, its driver or selenium. PICTURE gets what is shown at the end.
 """
+import csv
 import os
 import shutil
 import subprocess
 import sys
 import tempfile
 import time
+
+from PIL import Image
 
 try:
     from selenium import webdriver
@@ -129,6 +132,27 @@ with tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as folder:
             "width": 390, "height": 800, "deviceScaleFactor": 2, "mobile": True})
         assert page.script("document.documentElement.scrollWidth") <= 390, "wider than a phone"
         assert page.script("document.getElementById('view').getBoundingClientRect().width") > 300
+    finally:
+        page.driver.quit()
+    # Compared with a coded one: the PSNR of a report, another picture for each content, the map.
+    try:
+        Image.open(os.path.join(SOURCE, "data/scene.png")).save(os.path.join(folder, "coded.jpg"), quality=30)
+        session = os.path.join(SOURCE, "data/table1.json")
+        test = ["--session", session, "--test", os.path.join(folder, "coded.jpg"), "--quiet"]
+        subprocess.run([PROGRAM, "--export", "page", *test, "--output", file, "--quality", "exact"], check=True)
+        subprocess.run([PROGRAM, "--report", *test, "--output", os.path.join(folder, "report")], check=True)
+        with open(os.path.join(folder, "report", "report.csv"), encoding="utf-8") as table:
+            wanted = float(next(csv.DictReader(table))["psnr_seen"])
+        page = Page(file, "1200,900")
+        assert page.text("psnr") == f"coded against table1: PSNR {wanted:.2f} dB", (page.text("psnr"), wanted)
+        view = page.driver.find_element(By.ID, "view")
+        shown = {page.pixels()}
+        page.after(lambda: view.send_keys("2"))
+        shown.add(page.pixels())
+        for mode in ("wipe", "error"):
+            page.after(lambda: page.script(f"(s => {{ s.value = '{mode}'; s.dispatchEvent(new Event('input')); }})(document.getElementById('mode'))"))
+            shown.add(page.pixels())
+        assert len(shown) == 4, shown
     finally:
         page.driver.quit()
 print("all of it is as it should be")

@@ -163,6 +163,13 @@ def main():
     assert "compressed" in said and shown_by("small.html").startswith("small")
     said = run("--export", "page", "--session", room, "--output", "real.html", "--set", "lightField.type=real", *small)
     assert "8 bits" in said
+    # Two contents: the second one's texels, and the first one's pictures.
+    noise = Image.frombytes("RGB", (14 * 7, 12 * 6), chance.randbytes(3 * 14 * 7 * 12 * 6))
+    noise.save("other.png")
+    run("--export", "page", "--session", "session.json", "--test", "other.png", "--output", "two.html", "--quality", "exact")
+    assert f"texels {fnv(noise.tobytes())}" in shown_by("two.html").splitlines()
+    noise.crop((0, 0, 7, 6)).save("less.png")
+    assert "less.png" in run("--export", "page", "--session", "session.json", "--test", "less.png", "--output", "a.html", status=2)
     print(f"{checked} hashes are alike")
 
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <iostream>
+#include <iterator>
 
 #include "cli/inputs.h"
 #include "cli/jobs.h"
@@ -14,6 +15,7 @@
 #include "io/documents/session_file.h"
 #include "io/files/atomic_file.h"
 #include "io/files/folders.h"
+#include "io/opening/session_around.h"
 #include "io/scene/light_field_export.h"
 #include "io/scene/view_source.h"
 #include "web/view_page.h"
@@ -61,12 +63,21 @@ int exportPage(const Session& session, const CommandLine& line) {
     quality = line.text("quality") == "exact" ? PageQuality::exact : PageQuality::small;
   const fs::path output = line.text("output");
   const Input input(session, openLightField(session.lightField, session.display));
+  const std::string name = fs::path(line.text("session")).stem().string();
+  std::vector<PageContent> contents{{name, input.file}};
+  std::vector<fs::path> files;
+  for (const std::string& test : line.texts("test")) {
+    const Session other = withLightField(session, test);
+    contents.push_back(
+        {fs::path(test).stem().string(), openLightField(other.lightField, other.display)});
+    std::ranges::copy(filesOf(other, *contents.back().file), std::back_inserter(files));
+  }
+  const FilesInUse testsInUse(files);
   checkResults(line, session, {output});
   makeFolderOf(output);
   ProgressBar bar("exporting", line.has("quiet"));
-  const fs::path name = fs::path(line.text("session")).stem();
-  const ViewPage page = viewPage(session, *input.file, name.empty() ? "hogelscope" : name.string(),
-                                 quality, bar.progress());
+  const ViewPage page =
+      viewPage(session, contents, name.empty() ? "hogelscope" : name, quality, bar.progress());
   writeTextFile(output, page.html);
   bar.done();
   if (!finish(line, session)) return 0;
@@ -86,7 +97,9 @@ int runExport(const CommandLine& line) {
   const Session session = loadSessionOf(line);
   if (line.subject == "rig") return exportRig(session, line);
   if (line.subject == "page") return exportPage(session, line);
-  if (line.has("quality")) throw InputError("command line", "--quality", "is for --export page");
+  for (const char* const own : {"quality", "test"})
+    if (line.has(own))
+      throw InputError("command line", "--" + std::string(own), "is for --export page");
   if (line.subject == "pack") requireHogels(session.display, "a pack");
   if (line.has("for-twin") && line.subject == "pack")
     throw InputError("command line", "--for-twin",
@@ -161,9 +174,10 @@ Job exportJob() {
           "             --set display.directions=[48,1]\n"
           "  hogelscope --export rig --session s.json --output rig.json \\\n"
           "             --set lightField.viewingDistance=0.6\n"
-          "  hogelscope --export page --session s.json --output s.html\n",
+          "  hogelscope --export page --session s.json --output s.html --test coded.png\n",
       .needs = {"session", "output"},
-      .takes = {"set", "twin", "plugins-path", "save-session", "memory", "threads", "quiet"},
+      .takes = {"set", "test", "twin", "plugins-path", "save-session", "memory", "threads",
+                "quiet"},
       .own =
           {{.name = "for-twin",
             .after = "save-session",

@@ -168,11 +168,11 @@ void LightFieldOutput::share() {
       (file.isEmpty() ? tr("A display") : QFileInfo(file).baseName()).toStdString();
   m_task->start([=, this, session = m_model->session()](const Progress& progress) -> Task::Answer {
     requirePage(session);
-    const auto content =
+    const std::shared_ptr<LightFieldFile> content =
         openLightField(session.lightField, session.display, part(progress, 0, 0.1));
     // Marked as in use until the page has been written, too.
     const auto inUse = std::make_shared<const FilesInUse>(filesOf(session, *content));
-    const ViewPage page = viewPage(session, *content, title, {}, part(progress, 0.1, 1));
+    const ViewPage page = viewPage(session, {{title, content}}, title, {}, part(progress, 0.1, 1));
     return [this, page, inUse] {
       const QString size = QLocale().formattedDataSize(qint64(page.html.size()));
       const QString output = chooseNewFile(m_window, tr("Share a page of %1").arg(size),

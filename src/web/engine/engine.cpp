@@ -14,6 +14,8 @@
 #include "core/base/version.h"
 #include "core/engine/focus_search.h"
 #include "core/engine/renderer.h"
+#include "core/metrics/error_map.h"
+#include "core/metrics/squared_error.h"
 #include "core/optics/eyes.h"
 #include "core/optics/pixel_inspection.h"
 #include "core/optics/scene_eyes.h"
@@ -322,6 +324,26 @@ void hs_render(int index, int show) {
   const RenderJob job = jobOf(index);
   const Image image = shown(job, show);
   keep(image, int(image.seen.size()) / job.state.camera.res[1]);
+}
+
+/// Renders what `show` says with light field 0 and another one, and keeps the map of their error,
+/// the mean of the channels times 4 in false colours. Returns the PSNR over the pixels seen in
+/// both, in dB; NaN if there is none.
+double hs_compare(int test, int show) {
+  const RenderJob job = jobOf(0);
+  const Image reference = shown(job, show);
+  Image image = shown(jobOf(test), show);
+  const double result = psnr(squaredError(reference, image).mseSeen);
+  std::vector<std::uint8_t> map(image.rgb.size());
+  ErrorMap({.kind = ErrorKind::absolute, .tone = {.gain = 4}, .hasFalseColour = true})
+      .write(reference.rgb, image.rgb, map);
+  for (std::size_t k = 0; k < image.seen.size(); ++k) {
+    const bool isSeen = reference.seen[k] != 0 && image.seen[k] != 0;
+    for (std::size_t c = 3 * k; c < 3 * k + 3; ++c) image.rgb[c] = isSeen ? map[c] : 0;
+    image.seen[k] = isSeen ? 255 : 0;
+  }
+  keep(image, int(image.seen.size()) / job.state.camera.res[1]);
+  return result;
 }
 
 /// Renders the panel as the state's eye sees it, width × height over all of it, as the texture of
