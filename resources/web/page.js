@@ -137,7 +137,6 @@ function choose(k) {
   current = k;
   state = structuredClone(camera);
   for (const section of Object.keys(SLIDERS)) if (section !== 'camera' && section !== 'sampling') state[section] ??= {};
-  if (state.intrinsics === undefined) delete state.intrinsics;
   orbit = new Orbit(camera.eye, camera.lookat || [0, 0, 0]);
   [...$('states').querySelectorAll('button')].forEach((button, n) => button.setAttribute('aria-pressed', n === k));
   $('pixel').textContent = '';
@@ -203,7 +202,6 @@ function fill() {
       $(`${section}.${name}`).value = value;
       say(section, field);
     }
-  $('camera.fov').disabled = false;
 }
 
 function addStates() {
@@ -292,6 +290,18 @@ function connect() {
   use(matchMedia('(prefers-color-scheme: light)').matches);
 }
 
+// The panel in its own frame: where it stands in the session's world does not matter.
+async function offerVr() {
+  const hasHeadset = navigator.xr && await navigator.xr.isSessionSupported('immersive-vr').catch(() => false);
+  if (!hasHeadset) return;
+  $('vr').hidden = false;
+  const panelOf = (eye, width, height) => {
+    const { name, psf } = state;
+    return ask('panel', { state: { name, psf, eye, lookat: [0, 0, 0], res: [width, height] }, width, height, field: content });
+  };
+  $('vr').onclick = () => enterVr(data.session.display, orbit.distance, panelOf).catch(tell);
+}
+
 // For tests: a hash of the content, and one of each state's picture and mask. All of it is done when
 // the page has been loaded.
 function check() {
@@ -329,6 +339,7 @@ async function main() {
     $('still').hidden = $('bar').hidden = true;
     $('view').hidden = $('controls').hidden = false;
     await addSmallPictures();
+    await offerVr();
     document.body.dataset.ready = 'yes';
   } catch (error) {
     $('bar').hidden = true;

@@ -270,9 +270,9 @@ ViewPage viewPage(const Session& session, const std::vector<PageContent>& conten
                   const Progress& progress) {
   requirePage(session);
   const LightFieldSize all = contents.front().file->size();
-  for (const PageContent& content : contents)
-    if (content.file->size() != all)
-      throw InputError(content.name,
+  for (const auto& [name, file] : contents)
+    if (file->size() != all)
+      throw InputError(file->files().empty() ? name : file->files().front().string(),
                        "has other hogels or directions than the session's light field",
                        "a page compares contents of one display");
   ViewPage page;
@@ -325,6 +325,7 @@ ViewPage viewPage(const Session& session, const std::vector<PageContent>& conten
                                      {"engine.js", std::string(pageFile("engine.js"))},
                                      {"worker.js", std::string(pageFile("worker.js"))},
                                      {"eye.js", std::string(pageFile("eye.js"))},
+                                     {"vr.js", std::string(pageFile("vr.js"))},
                                      {"page.js", std::string(pageFile("page.js"))}});
   return page;
 }

@@ -32,15 +32,47 @@ if CHROMIUM is None or DRIVER is None:
     sys.exit(77)
 
 
+# A headset: two eyes 64 mm apart, a head that the test moves, frames every 20 ms. It keeps the middle
+# pixel of the left eye's picture.
+HEADSET = """
+window.head = { x: 0.3, y: 1.6, z: 0.2 };
+window.lit = [];
+const near = 0.1, far = 10;
+const projection = new Float32Array([1, 0, 0, 0, 0, 1, 0, 0, 0, 0, (far + near) / (near - far), -1, 0, 0, 2 * far * near / (near - far), 0]);
+const poseNow = () => ({ transform: { position: { ...head } }, views: [-1, 1].map(side => {
+  const position = { x: head.x + side * 0.032, y: head.y, z: head.z };
+  const matrix = new Float32Array([1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, -position.x, -position.y, -position.z, 1]);
+  return { side, projectionMatrix: projection, transform: { position, inverse: { matrix } } };
+}) });
+const session = {
+  renderState: {}, updateRenderState: async state => { session.renderState = state; }, requestReferenceSpace: async () => ({}),
+  requestAnimationFrame: draw => setTimeout(() => {
+    draw(performance.now(), { getViewerPose: poseNow });
+    const { gl } = session.renderState.baseLayer, pixel = new Uint8Array(4);
+    gl.readPixels(75, 75, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, pixel);
+    window.lit = [...pixel];
+  }, 20),
+};
+window.XRWebGLLayer = class {
+  constructor(of, gl) { this.gl = gl; this.framebuffer = null; }
+  getViewport({ side }) { return { x: side < 0 ? 0 : 150, y: 0, width: 150, height: 150 }; }
+};
+WebGLRenderingContext.prototype.makeXRCompatible = async () => {};
+Object.defineProperty(navigator, 'xr', { value: { isSessionSupported: async mode => mode === 'immersive-vr', requestSession: async () => session } });
+"""
+
+
 class Page:
     """A page in a window of this size, once it has its small pictures."""
 
-    def __init__(self, file, size):
+    def __init__(self, file, size, before=""):
         options = Options()
-        for argument in ("--headless=new", "--no-sandbox", "--disable-gpu", f"--window-size={size}"):
+        for argument in ("--headless=new", "--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader",
+                         "--disable-dev-shm-usage", f"--window-size={size}"):
             options.add_argument(argument)
         options.binary_location = CHROMIUM
         self.driver = webdriver.Chrome(service=Service(DRIVER), options=options)
+        self.driver.execute_cdp_cmd("Page.addScriptToEvaluateOnNewDocument", {"source": before})
         self.driver.get(f"file://{os.path.abspath(file)}")
         self.wait(lambda: self.script("document.body.dataset.ready") == "yes")
 
@@ -114,6 +146,23 @@ def check(page):
     assert page.script("performance.getEntriesByType('resource').filter(e => !/^(data|blob):/.test(e.name)).length") == 0
 
 
+def check_headset(page):
+    page.driver.execute_script("window.eyes = []; const own = ask; ask = (what, request, told) => {"
+                               " if (what === 'panel') eyes.push(request.state.eye); return own(what, request, told); };")
+    assert page.driver.find_element(By.ID, "vr").is_displayed()
+    page.driver.find_element(By.ID, "vr").click()
+    page.wait(lambda: page.script("eyes.length") >= 2)
+    left, right = page.script("eyes.slice(0, 2)")
+    assert all(abs(a - b) < 1e-9 for a, b in zip(left, [-0.032, 0, 0.559])), left
+    assert all(abs(a - b) < 1e-9 for a, b in zip(right, [0.032, 0, 0.559])), right
+    page.wait(lambda: sum(page.script("lit")[:3]) > 60)  # the panel, not the room around it
+    seen = page.script("eyes.length")
+    page.driver.execute_script("window.head = { x: 0.35, y: 1.7, z: 0.1 };")
+    page.wait(lambda: page.script("eyes.length") >= seen + 4)
+    last = page.script("eyes[eyes.length - 1]")
+    assert all(abs(a - b) < 1e-9 for a, b in zip(last[1:], [0.1, 0.459])), last
+
+
 with tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as folder:
     os.environ["HOME"] = folder
     file = os.path.join(folder, "page.html")
@@ -124,6 +173,11 @@ with tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as folder:
         check(page)
         if len(sys.argv) > 3:
             page.driver.save_screenshot(sys.argv[3])
+    finally:
+        page.driver.quit()
+    page = Page(file, "1200,900", HEADSET)
+    try:
+        check_headset(page)
     finally:
         page.driver.quit()
     page = Page(file, "500,900")  # the least that Chromium has

@@ -37,7 +37,7 @@ def fnv(values):
 
 def shown_by(page):
     done = subprocess.run(
-        [CHROMIUM, "--headless=new", "--no-sandbox", "--disable-gpu",
+        [CHROMIUM, "--headless=new", "--no-sandbox", "--disable-gpu", "--disable-dev-shm-usage",
          f"--user-data-dir={os.path.abspath('browser')}", "--virtual-time-budget=120000", "--dump-dom",
          f"file://{os.path.abspath(page)}#check"], capture_output=True, text=True, check=False)
     found = re.findall(r'<pre id="check">(.*?)</pre>', done.stdout, re.S)

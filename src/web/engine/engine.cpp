@@ -346,11 +346,13 @@ double hs_compare(int test, int show) {
   return result;
 }
 
-/// Renders the panel as the state's eye sees it, width × height over all of it, as the texture of
-/// a rectangle. Returns 0 if the eye is not before it.
+/// Renders the panel as the state's eye sees it, which is given in the panel's frame, width ×
+/// height over all of it, as the texture of a rectangle. Returns 0 if the eye is not before it.
 int hs_panel(int index, int width, int height) {
   RenderJob job = jobOf(index);
-  std::optional<CameraState> panel = panelState(job.display, job.state.camera.eye, {width, height});
+  const Vec3 eye =
+      transformFromPose(job.display.position, job.display.orientation).point(job.state.camera.eye);
+  std::optional<CameraState> panel = panelState(job.display, eye, {width, height});
   if (!panel) return 0;
   panel->psf = job.state.psf;
   job.state = *panel;
