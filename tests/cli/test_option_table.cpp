@@ -46,7 +46,7 @@ QStringList given(const Flag& flag) {
       {"region", "box"},      {"seed", "3"},         {"memory", "100"},    {"threads", "2"},
       {"budget", "9"},        {"session", "s.json"}, {"test", "t.png"},    {"output", "out/o"},
       {"against", "ideal"},   {"shard", "1/2"},      {"between", "3"},     {"fps", "25"},
-      {"stereo", "anaglyph"}, {"focus-stack", "3"}};
+      {"stereo", "anaglyph"}, {"focus-stack", "3"},  {"quality", "exact"}};
   if (flag.value.empty()) return {dashed(flag.name)};
   return {dashed(flag.name), values.value(text(flag.name), "value")};
 }
