@@ -5,10 +5,12 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <memory>
 #include <new>
 
 #include "core/base/error.h"
+#include "core/base/parallel.h"
 #include "core/base/text.h"
 #include "core/base/version.h"
 #include "core/engine/renderer.h"
@@ -119,27 +121,28 @@ std::vector<Picture> picturesOf(const Values& values, const LightFieldSize& size
                                 PageQuality quality, const Progress& progress) {
   const int most = viewsOfPicture(size);
   std::vector<Picture> pictures;
-  Values rgb;
   for (int v = 0; v < size.dv; ++v)
-    for (int u0 = 0; u0 < size.du; u0 += most) {
-      const int views = std::min(most, size.du - u0);
-      rgb.clear();
-      for (int j = 0; j < size.ny; ++j)
-        for (int u = u0; u < u0 + views; ++u)
-          for (int i = 0; i < size.nx; ++i) {
-            const std::size_t row = std::size_t(j) * std::size_t(size.dv) + std::size_t(v);
-            const std::uint8_t* from =
-                &values[3 * (row * size.width() + std::size_t(i) * std::size_t(size.du) +
-                             std::size_t(u))];
-            rgb.insert(rgb.end(), from, from + 3);
-          }
-      const int width = views * size.nx;
-      pictures.push_back({u0, v,
-                          quality == PageQuality::exact
-                              ? encodedPng(width, size.ny, rgb)
-                              : encodedWebp(width, size.ny, rgb.data(), 90)});
-      reportProgress(progress, (v + double(u0 + views) / size.du) / size.dv);
+    for (int u = 0; u < size.du; u += most) pictures.push_back({u, v, {}});
+  const Progress polled = forThreads(progress);
+  std::atomic<int> done = 0;
+  sideBySide(pictures.size(), threadCount(), [&](std::size_t k, std::size_t /*worker*/) {
+    throwIfCancelled(polled);
+    auto& [u0, v, bytes] = pictures[k];
+    const int views = std::min(most, size.du - u0), width = views * size.nx;
+    Values rgb(3 * std::size_t(width) * std::size_t(size.ny));
+    std::uint8_t* to = rgb.data();
+    for (int j = 0; j < size.ny; ++j) {
+      const std::size_t row = std::size_t(j) * std::size_t(size.dv) + std::size_t(v);
+      for (int u = u0; u < u0 + views; ++u)
+        for (int i = 0; i < size.nx; ++i, to += 3)
+          std::copy_n(&values[3 * (row * size.width() + std::size_t(i) * std::size_t(size.du) +
+                                   std::size_t(u))],
+                      3, to);
     }
+    bytes = quality == PageQuality::exact ? encodedPng(width, size.ny, rgb)
+                                          : encodedWebp(width, size.ny, rgb.data(), 90);
+    reportProgress(polled, double(++done) / double(pictures.size()));
+  });
   return pictures;
 }
 

@@ -126,6 +126,10 @@ def check_damage():
     with open("damaged.html", "w", encoding="utf-8") as file:
         file.write(page[:begin] + base64.b64encode(picture).decode() + page[end:])
     assert "damaged" in shown_by("damaged.html")
+    for length in (begin + 100, len(page) - 3000, len(page) - 30):
+        with open("cut.html", "w", encoding="utf-8") as file:
+            file.write(page[:length])
+        assert "damaged" in shown_by("cut.html"), length
 
 
 def check_refusals():
