@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What is embedded in the program for its pages.
+// Returns what is embedded in the program for its pages.
 #pragma once
 
 #include <string_view>

@@ -251,6 +251,29 @@ std::string filled(std::string_view page,
   return result;
 }
 
+/// Returns the whole page around its content; `still` is the picture of the first state.
+std::string htmlOf(const Session& session, const ViewPage& page, const std::string& title,
+                   const std::string& content, const std::string& still) {
+  std::string facts = pairText(page.size.nx, page.size.ny) + " hogels of " +
+                      pairText(page.size.du, page.size.dv) +
+                      " directions. The pictures are computed here, by the engine of Hogelscope " +
+                      programVersion() + ".";
+  for (const std::string& note : page.notes) facts += " " + note;
+  return filled(pageFile("page.html"), {{"title", escaped(title)},
+                                        {"version", versionWords()},
+                                        {"facts", escaped(facts)},
+                                        {"still", base64(still)},
+                                        {"session", documentOf(session, page.size)},
+                                        {"engine", base64(std::string(pageEngine()))},
+                                        {"content", content},
+                                        {"page.css", std::string(pageFile("page.css"))},
+                                        {"engine.js", std::string(pageFile("engine.js"))},
+                                        {"worker.js", std::string(pageFile("worker.js"))},
+                                        {"eye.js", std::string(pageFile("eye.js"))},
+                                        {"vr.js", std::string(pageFile("vr.js"))},
+                                        {"page.js", std::string(pageFile("page.js"))}});
+}
+
 }  // namespace
 
 void requirePage(const Session& session) {
@@ -307,29 +330,11 @@ ViewPage viewPage(const Session& session, const std::vector<PageContent>& conten
     pictures = encode(page.quality, 0.8, 1);
   }
   page.notes = notesOf(contents, thinning, page.quality);
-  std::string facts = pairText(page.size.nx, page.size.ny) + " hogels of " +
-                      pairText(page.size.du, page.size.dv) +
-                      " directions. The pictures are computed here, by the engine of Hogelscope " +
-                      programVersion() + ".";
-  for (const std::string& note : page.notes) facts += " " + note;
   std::string content;
   for (std::size_t k = 0; k < contents.size(); ++k)
     content += scriptsOf(contents[k].name, hashOf(values[k]), pictures[k], k,
                          page.quality == PageQuality::exact);
-  page.html =
-      filled(pageFile("page.html"), {{"title", escaped(title)},
-                                     {"version", versionWords()},
-                                     {"facts", escaped(facts)},
-                                     {"still", base64(stillOf(session, values.front(), page.size))},
-                                     {"session", documentOf(session, page.size)},
-                                     {"engine", base64(std::string(pageEngine()))},
-                                     {"content", content},
-                                     {"page.css", std::string(pageFile("page.css"))},
-                                     {"engine.js", std::string(pageFile("engine.js"))},
-                                     {"worker.js", std::string(pageFile("worker.js"))},
-                                     {"eye.js", std::string(pageFile("eye.js"))},
-                                     {"vr.js", std::string(pageFile("vr.js"))},
-                                     {"page.js", std::string(pageFile("page.js"))}});
+  page.html = htmlOf(session, page, title, content, stillOf(session, values.front(), page.size));
   return page;
 }
 

@@ -51,7 +51,7 @@ class CaptureContent : public plugin::ContentSource {
                                  std::span<double> depths) const override;
 
  private:
-  /// What a ray takes of one direction of one column or row of hogels.
+  /// A ray takes this part of one direction of one column or row of hogels.
   struct Tap {
     int hogel = 0;
     int direction = 0;
@@ -66,7 +66,7 @@ class CaptureContent : public plugin::ContentSource {
     std::array<Tap, 4> m_taps;
     std::size_t m_count = 0;
   };
-  /// The texels that a ray takes: each of `across` with each of `down`.
+  /// A ray takes each texel of `across` with each of `down`.
   struct Met {
     AxisTaps across;
     AxisTaps down;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the standard library for WebAssembly of Debian 12 and 13 (LLVM 19) lacks: locks, which it
-// has only with threads, numbers from text, and Bessel functions. Included before every source.
+// Completes the standard library for WebAssembly of Debian 12 and 13 (LLVM 19), which lacks locks,
+// numbers from text and Bessel functions. It is included before every source.
 #pragma once
 
 #include <__mutex/lock_guard.h>
