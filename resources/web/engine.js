@@ -305,7 +305,10 @@ function exactEngine(data, told = () => {}) {
     });
     data.hashes.forEach((hash, field) => { if (engine.hash(field) !== hash) throw new Error(DAMAGED); });
     return engine;
-  } catch (error) { throw error instanceof WebAssembly.CompileError || error.message === 'damaged' ? new Error(DAMAGED) : error; }
+  } catch (error) {
+    const signs = [WebAssembly.CompileError, DOMException, RangeError];
+    throw error.message === 'damaged' || signs.some(sign => error instanceof sign) ? new Error(DAMAGED) : error;
+  }
 }
 
 async function engineWith(data, told = () => {}) {

@@ -37,7 +37,8 @@ void requirePage(const Session& session);
 /// Returns the page of a session. The first content is its own, others of the same size are
 /// compared with it. Content of more than 8 bits is rounded to 8. Beyond 64 million directional
 /// pixels every second direction is taken, then every second hogel. Without a quality it is exact
-/// if the pictures take at most 8 MB. Names of folders and files are not in it. Throws InputError,
+/// if the pictures take at most 8 MB. No names of folders and files are in it beside those that
+/// are given. Throws InputError,
 /// Cancelled.
 ViewPage viewPage(const Session& session, const std::vector<PageContent>& contents,
                   const std::string& title, const std::optional<PageQuality>& quality,
