@@ -32,10 +32,10 @@ function(hogelscope_add_web_engine)
   set(options -std=c++20 -O3 -DNDEBUG -msimd128 -mbulk-memory -mnontrapping-fptoint -ffp-contract=off
     -fexceptions -fignore-exceptions -fvisibility=hidden -Wno-parentheses
     -include ${CMAKE_CURRENT_SOURCE_DIR}/web/engine/no_threads.h -I${CMAKE_CURRENT_SOURCE_DIR})
-  set(objects "")
+  # One file for the sources of a room that have the same options: most of the compiler's time goes
+  # into the standard library's headers.
+  set(batches "")
   foreach(source IN LISTS sources)
-    string(REPLACE "/" "_" object ${source})
-    set(object ${CMAKE_BINARY_DIR}/web/${object}.o)
     get_source_file_property(own ${source} COMPILE_OPTIONS)
     if(NOT own)
       set(own "")
@@ -44,12 +44,23 @@ function(hogelscope_add_web_engine)
     if(definitions)
       list(APPEND own -D${definitions})
     endif()
-    add_custom_command(OUTPUT ${object}
-      COMMAND ${wasm} ${options} ${own} -MD -MT ${object} -MF ${object}.d
-        -c ${CMAKE_CURRENT_SOURCE_DIR}/${source} -o ${object}
-      DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${source} ${CMAKE_CURRENT_SOURCE_DIR}/web/engine/no_threads.h
-      DEPFILE ${object}.d COMMENT "Building ${source} for web pages" VERBATIM)
-    list(APPEND objects ${object})
+    get_filename_component(room ${source} DIRECTORY)
+    string(SHA1 batch "${room} ${own}")
+    list(APPEND batches ${batch})
+    set(options_${batch} ${own})
+    string(APPEND text_${batch} "#include \"${source}\"\n")
+  endforeach()
+  list(REMOVE_DUPLICATES batches)
+  set(objects "")
+  foreach(batch IN LISTS batches)
+    set(file ${CMAKE_BINARY_DIR}/web/${batch})
+    file(CONFIGURE OUTPUT ${file}.cpp CONTENT "${text_${batch}}" @ONLY)
+    add_custom_command(OUTPUT ${file}.o
+      COMMAND ${wasm} ${options} ${options_${batch}} -MD -MT ${file}.o -MF ${file}.o.d
+        -c ${file}.cpp -o ${file}.o
+      DEPENDS ${file}.cpp ${CMAKE_CURRENT_SOURCE_DIR}/web/engine/no_threads.h
+      DEPFILE ${file}.o.d COMMENT "Building a part of the engine for web pages" VERBATIM)
+    list(APPEND objects ${file}.o)
   endforeach()
 
   set(functions hs_version hs_alloc hs_free hs_field hs_view_row hs_hash hs_reset hs_set hs_fields
