@@ -19,6 +19,7 @@ const SLIDERS = {
 
 let state, orbit, fields, current = 0, isMoving = false, isWaiting = false, isWanted = false, cost = 0, shown;
 let content = 0, test = 1;  // what is shown; the test that is compared with content 0
+const isExperiment = typeof startExperiment === 'function';
 let sampling = { ...data.session.sampling };
 
 function tell(error) { $('error').textContent = error ? error.message : ''; }
@@ -54,7 +55,7 @@ async function draw() {
   isWanted = false;
   // While a hand moves the eye, a slow view has half the pixels across and down.
   const share = isMoving && cost > 40 ? 2 : 1;
-  const request = { ...state, eye: orbit.eye };
+  const request = { ...state, eye: orbit.eye }, detail = { eye: request.eye, content };
   if (share > 1) {
     request.res = state.res.map(count => Math.max(1, Math.round(count / share)));
     if (state.intrinsics)
@@ -70,6 +71,7 @@ async function draw() {
     put(canvas, picture);
     place(picture.ms);
     tell();
+    canvas.dispatchEvent(new CustomEvent('drawn', { detail }));
   } catch (error) { tell(error); }
   isWaiting = false;
   if (isWanted) draw();
@@ -77,7 +79,7 @@ async function draw() {
 
 // Renders what is shown: a content, or two of them compared.
 async function pictureOf(request) {
-  if (data.hashes.length === 1) return ask('render', { ...request, field: 0 });
+  if (data.hashes.length === 1 || isExperiment) return ask('render', { ...request, field: content });
   const { error, reference, test: other, ms } = await ask('compare', { ...request, field: test });
   const decibels = error.psnr === Infinity ? 'identical' : Number.isNaN(error.psnr) ? 'nothing is seen in both' : `PSNR ${error.psnr.toFixed(2)} dB`;
   $('psnr').textContent = `${data.names[test]} against ${data.names[0]}: ${decibels}`;
@@ -236,7 +238,7 @@ async function addSmallPictures() {
 // --- clicks
 
 async function clicked(x, y, isControl) {
-  if (!shown || +$('show').value !== SHOW.itself) return;
+  if (!shown || isExperiment || +$('show').value !== SHOW.itself) return;
   const [px, py] = [Math.floor(x * state.res[0]), Math.floor(y * state.res[1])];
   const looking = { ...state, eye: orbit.eye };
   try {
@@ -337,9 +339,13 @@ async function main() {
     connect();
     choose(0);
     $('still').hidden = $('bar').hidden = true;
-    $('view').hidden = $('controls').hidden = false;
-    await addSmallPictures();
-    await offerVr();
+    $('view').hidden = false;
+    $('controls').hidden = isExperiment;
+    if (isExperiment) startExperiment();
+    else {
+      await addSmallPictures();
+      await offerVr();
+    }
     document.body.dataset.ready = 'yes';
   } catch (error) {
     $('bar').hidden = true;

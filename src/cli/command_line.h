@@ -19,6 +19,7 @@ struct CommandLine {
   /// The value of the job's own option: a camera set, a pattern, a light field or a file; the topic
   /// for --help.
   std::string subject;
+  std::vector<std::string> subjects;      ///< all values, if the job's option may be repeated
   std::string shellText;                  ///< the whole command line, quoted for a shell
   std::vector<std::string> files;         ///< opened in the window
   std::vector<std::string> jobOverrides;  ///< --set of the job's own sections, such as pattern

@@ -155,6 +155,7 @@ Session withTwin(const Session& session, const std::string& file, const CommandL
 std::vector<std::filesystem::path> namedInputs(const CommandLine& line) {
   std::vector<std::filesystem::path> files;
   if (mayNameFile(line.job->value)) files.emplace_back(line.subject);
+  for (const std::string& file : line.subjects) files.emplace_back(file);
   for (const Flag& flag : allFlags()) {
     const bool mayGrow = line.job->mayReplaceSession && flag.name == "session";
     if (!flag.isInput || mayGrow || !line.mayHave(flag.name)) continue;

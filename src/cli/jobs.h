@@ -15,6 +15,7 @@ namespace hogelscope {
 struct Job {
   std::string_view name;        ///< of the option that selects it
   std::string_view value = {};  ///< "" if the option has no value
+  bool mayRepeat = false;       ///< it may have several values, also as words behind it
   std::string help;
   std::string details = {};                     ///< shown by --help JOB only
   std::string_view examples = {};               ///< command lines

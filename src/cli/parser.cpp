@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Parsing of the command line; options that the job does not use are rejected.
 #include <algorithm>
+#include <iterator>
 #include <set>
 
 #include "cli/command_line.h"
@@ -63,11 +64,14 @@ Given parseOption(Word& at, Word end) {
   return given;
 }
 
+bool mayRepeat(const Given& given) {
+  return given.flag != nullptr ? given.flag->mayRepeat : given.job->mayRepeat;
+}
+
 void refuseRepeated(const std::vector<Given>& all) {
   for (auto one = all.begin(); one != all.end(); ++one)
     for (auto other = all.begin(); other != one; ++other)
-      if (other->name == one->name &&
-          (one->flag == nullptr || !one->flag->mayRepeat || other->value == one->value))
+      if (other->name == one->name && (!mayRepeat(*one) || other->value == one->value))
         throw InputError(
             dashed(one->name) + (one->value.empty() ? "" : " " + one->value),
             "is given twice" + (other->value == one->value ? "" : ", before as " + other->value));
@@ -85,12 +89,13 @@ void chooseJob(const std::vector<Given>& all, CommandLine& line) {
     if (given.job == nullptr) continue;
     if (isHelp(given.job)) {
       help = given.job;
-    } else if (chosen != nullptr) {
+    } else if (chosen != nullptr && !(chosen == given.job && chosen->mayRepeat)) {
       throw InputError(dashed(given.name),
                        "is a second job beside " + dashed(chosen->name) + "; give one of them");
     } else {
+      if (chosen == nullptr) line.subject = given.value;
       chosen = given.job;
-      line.subject = given.value;
+      if (chosen->mayRepeat) line.subjects.push_back(given.value);
     }
   }
   line.job = help != nullptr ? help : chosen;
@@ -150,13 +155,16 @@ std::string looseWordText(const std::vector<Given>& all, const std::string& word
   return "is no option: " + job + " reads it if you give --session " + quoted(word) + "; " + help;
 }
 
-/// Assigns words without an option: files for the window, the topic for --help; jobs accept none.
+/// Assigns words without an option: files for the window, the topic for --help, further values of a
+/// job's own option; other jobs accept none.
 void addLooseWords(const std::vector<Given>& all, std::vector<std::string> words,
                    CommandLine& line) {
   if (line.job == nullptr) {
     line.files = std::move(words);
   } else if (isHelp(line.job) && line.subject.empty() && words.size() == 1) {
     line.subject = words.front();
+  } else if (!line.subjects.empty()) {
+    std::ranges::move(words, std::back_inserter(line.subjects));
   } else if (!words.empty()) {
     throw InputError(words.front(), looseWordText(all, words.front(), *line.job));
   }

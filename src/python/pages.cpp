@@ -35,7 +35,7 @@ std::tuple<std::string, std::vector<std::string>> page(const Document& document,
     if (!output.empty()) checkOutputs({output});
     std::optional<PageQuality> quality;
     if (isExact) quality = *isExact ? PageQuality::exact : PageQuality::small;
-    ViewPage made = viewPage(session, {{title, file}}, title, quality, part(hear, 0.1, 1));
+    ViewPage made = viewPage(session, {{title, file}}, {title, quality}, part(hear, 0.1, 1));
     if (!output.empty()) {
       makeFolderOf(output);
       writeTextFile(output, made.html);

@@ -148,6 +148,7 @@ std::vector<fs::path> filesOf(const ReportRequest& request) {
                               folder / "summary.csv",     folder / "bd.csv",
                               folder / "report.html",     folder / "plots" / "means.tex",
                               folder / "plots" / "bd.tex"};
+  if (request.hasPage) files.push_back(folder / "page.html");
   const auto plot = [&](const std::string& name) {
     for (const char* ending : {".svg", ".csv"}) files.push_back(folder / "plots" / (name + ending));
   };

@@ -42,6 +42,8 @@ struct ReportRequest {
   std::string output;   ///< the output folder, created if missing
   std::string command;  ///< the command that requested the report, for its page
   bool images = false;  ///< also write every image
+  /// A page with the light fields, page.html of the folder, to which the report's page links.
+  bool hasPage = false;
   /// The part of one of several processes: its states' rows and sums stay in the folder for the run
   /// without a shard, which writes the report.
   std::optional<Shard> shard{};

@@ -290,7 +290,8 @@ void ReportRun::writeAll() {
                   {},
                   warningsOf(m_request),
                   harmlessMoves(m_report.summaries, m_request.metrics),
-                  m_request.isAgainstDesign};
+                  m_request.isAgainstDesign,
+                  m_request.hasPage};
   for (std::size_t test = 0; test < m_projections.size(); ++test) {
     page.panels.push_back(writePanelError(m_folder, test, m_request, m_projections[test]->error(),
                                           m_viewErrors[test], display));

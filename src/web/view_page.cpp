@@ -252,20 +252,26 @@ std::string filled(std::string_view page,
 }
 
 /// Returns the whole page around its content; `still` is the picture of the first state.
-std::string htmlOf(const Session& session, const ViewPage& page, const std::string& title,
+std::string htmlOf(const Session& session, const ViewPage& page, const PageOptions& options,
                    const std::string& content, const std::string& still) {
   std::string facts = pairText(page.size.nx, page.size.ny) + " hogels of " +
                       pairText(page.size.du, page.size.dv) +
                       " directions. The pictures are computed here, by the engine of Hogelscope " +
                       programVersion() + ".";
   for (const std::string& note : page.notes) facts += " " + note;
-  return filled(pageFile("page.html"), {{"title", escaped(title)},
+  std::string experiment;
+  if (!options.experiment.empty())
+    experiment = filled(pageFile("experiment.html"),
+                        {{"method", options.experiment},
+                         {"experiment.js", std::string(pageFile("experiment.js"))}});
+  return filled(pageFile("page.html"), {{"title", escaped(options.title)},
                                         {"version", versionWords()},
                                         {"facts", escaped(facts)},
                                         {"still", base64(still)},
                                         {"session", documentOf(session, page.size)},
                                         {"engine", base64(std::string(pageEngine()))},
                                         {"content", content},
+                                        {"experiment", experiment},
                                         {"page.css", std::string(pageFile("page.css"))},
                                         {"engine.js", std::string(pageFile("engine.js"))},
                                         {"worker.js", std::string(pageFile("worker.js"))},
@@ -275,6 +281,10 @@ std::string htmlOf(const Session& session, const ViewPage& page, const std::stri
 }
 
 }  // namespace
+
+std::size_t questionsOf(const std::string& experiment, std::size_t contents, std::size_t states) {
+  return states * (experiment == "dsis" ? contents - 1 : contents * (contents - 1) / 2);
+}
 
 void requirePage(const Session& session) {
   if (pageEngine().empty())
@@ -292,8 +302,7 @@ void requirePage(const Session& session) {
 }
 
 ViewPage viewPage(const Session& session, const std::vector<PageContent>& contents,
-                  const std::string& title, const std::optional<PageQuality>& quality,
-                  const Progress& progress) {
+                  const PageOptions& options, const Progress& progress) {
   requirePage(session);
   const LightFieldSize all = contents.front().file->size();
   for (const auto& [name, file] : contents)
@@ -321,11 +330,11 @@ ViewPage viewPage(const Session& session, const std::vector<PageContent>& conten
     }
     return pictures;
   };
-  page.quality = quality.value_or(PageQuality::exact);
-  auto pictures = encode(page.quality, 0.5, quality ? 1 : 0.8);
+  page.quality = options.quality.value_or(PageQuality::exact);
+  auto pictures = encode(page.quality, 0.5, options.quality ? 1 : 0.8);
   std::size_t bytes = 0;
   for (const auto& each : pictures) bytes += bytesOf(each);
-  if (!quality && bytes > mostExact) {
+  if (!options.quality && options.experiment.empty() && bytes > mostExact) {
     page.quality = PageQuality::small;
     pictures = encode(page.quality, 0.8, 1);
   }
@@ -334,7 +343,7 @@ ViewPage viewPage(const Session& session, const std::vector<PageContent>& conten
   for (std::size_t k = 0; k < contents.size(); ++k)
     content += scriptsOf(contents[k].name, hashOf(values[k]), pictures[k], k,
                          page.quality == PageQuality::exact);
-  page.html = htmlOf(session, page, title, content, stillOf(session, values.front(), page.size));
+  page.html = htmlOf(session, page, options, content, stillOf(session, values.front(), page.size));
   return page;
 }
 

@@ -31,17 +31,26 @@ struct PageContent {
   std::shared_ptr<LightFieldFile> file;
 };
 
+struct PageOptions {
+  std::string title;
+  /// exact if the pictures take at most 8 MB, or for an experiment; else small
+  std::optional<PageQuality> quality{};
+  /// "pairs" or "dsis" (double stimulus, impairment scale, ITU-R BT.500): viewers vote on the
+  /// contents. "": they look around.
+  std::string experiment{};
+};
+
+/// Returns how many questions an experiment asks each viewer.
+std::size_t questionsOf(const std::string& experiment, std::size_t contents, std::size_t states);
+
 /// Throws InputError if this program has no engine for pages, or it does not show such a display.
 void requirePage(const Session& session);
 
 /// Returns the page of a session. The first content is its own, others of the same size are
 /// compared with it. Content of more than 8 bits is rounded to 8. Beyond 64 million directional
-/// pixels every second direction is taken, then every second hogel. Without a quality it is exact
-/// if the pictures take at most 8 MB. No names of folders and files are in it beside those that
-/// are given. Throws InputError,
-/// Cancelled.
+/// pixels every second direction is taken, then every second hogel. No names of folders and files
+/// are in it beside those that are given. Throws InputError, Cancelled.
 ViewPage viewPage(const Session& session, const std::vector<PageContent>& contents,
-                  const std::string& title, const std::optional<PageQuality>& quality,
-                  const Progress& progress);
+                  const PageOptions& options, const Progress& progress);
 
 }  // namespace hogelscope

@@ -66,6 +66,7 @@ class TestReport : public QObject {
   void sideBySideOfSmallPictures();
   void lossyReference();
   void page();
+  void pageToLookAround();
   void summary();
   void toleranceIsLeftAside();
   void lightFieldsThatPassBy();
@@ -281,6 +282,22 @@ void TestReport::lossyReference() {
 }
 
 /// It can be mailed: nothing that it shows lies elsewhere.
+/// The same light fields as a page, for a program with the engine; others say that they have none.
+void TestReport::pageToLookAround() {
+  const Outcome outcome = report({"--test", "b.png", "--page"});
+  if (outcome.err.contains("was built without the engine")) {
+    QCOMPARE(outcome.status, 2);
+    QVERIFY(!QFile::exists("out"));
+    return;
+  }
+  QCOMPARE(outcome.status, 0);
+  QVERIFY(contentOf("out/report.html").contains("<a href=\"page.html\">"));
+  const QByteArray page = contentOf("out/page.html");
+  QVERIFY(page.contains("data-exact=\"yes\">\"s\"</script>"));
+  QVERIFY(page.contains("data-exact=\"yes\">\"b\"</script>"));
+  QCOMPARE(report({"--against", "design", "--page"}).status, 2);
+}
+
 void TestReport::page() {
   QCOMPARE(report({"--test", "b.png", "--images"}).status, 0);
   QString page = QString::fromUtf8(contentOf("out/report.html"));

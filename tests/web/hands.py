@@ -1,10 +1,12 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""hands.py PROGRAM SOURCE [PICTURE]: a page of --export page by mouse, wheel, keys and sliders.
+"""hands.py PROGRAM SOURCE [PICTURE]: a page of --export page by mouse, wheel, fingers, keys and sliders.
 
 Exit status 77 without Chromium, its driver or selenium. PICTURE gets what is shown at the end.
 """
 import csv
+import glob
+import json
 import os
 import shutil
 import subprocess
@@ -65,7 +67,7 @@ Object.defineProperty(navigator, 'xr', { value: { isSessionSupported: async mode
 class Page:
     """A page in a window of this size, once it has its small pictures."""
 
-    def __init__(self, file, size, before=""):
+    def __init__(self, file, size, before="", more=""):
         options = Options()
         for argument in ("--headless=new", "--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader",
                          "--disable-dev-shm-usage", f"--window-size={size}"):
@@ -73,7 +75,10 @@ class Page:
         options.binary_location = CHROMIUM
         self.driver = webdriver.Chrome(service=Service(DRIVER), options=options)
         self.driver.execute_cdp_cmd("Page.addScriptToEvaluateOnNewDocument", {"source": before})
-        self.driver.get(f"file://{os.path.abspath(file)}")
+        self.open(file, more)
+
+    def open(self, file, more=""):
+        self.driver.get(f"file://{os.path.abspath(file)}{more}")
         self.wait(lambda: self.script("document.body.dataset.ready") == "yes")
 
     def script(self, text):
@@ -146,6 +151,59 @@ def check(page):
     assert page.script("performance.getEntriesByType('resource').filter(e => !/^(data|blob):/.test(e.name)).length") == 0
 
 
+def check_fingers(page):
+    """Two fingers that part come nearer, as a phone has it."""
+    box = page.script("(r => [r.left + r.width / 2, r.top + r.height / 2])(document.getElementById('view').getBoundingClientRect())")
+
+    def touch(kind, apart):
+        points = [] if kind == "touchEnd" else [
+            {"x": box[0] + side * apart, "y": box[1], "id": number} for number, side in enumerate((-1, 1))]
+        page.driver.execute_cdp_cmd("Input.dispatchTouchEvent", {"type": kind, "touchPoints": points})
+
+    before = eye(page)[2]
+    touch("touchStart", 30)
+    for apart in (40, 50, 60):
+        touch("touchMove", apart)
+    touch("touchEnd", 0)
+    page.wait(lambda: abs(eye(page)[2] - before / 2) < 0.02)
+
+
+def answer(page, count, key):
+    """Looks at both and moves, and answers so many questions."""
+    view = page.driver.find_element(By.ID, "view")
+    for _ in range(count):
+        question = page.text("count")
+        view.send_keys(key)  # not before both were seen
+        assert page.text("count") == question
+        first = page.pixels()
+        view.send_keys("2")
+        page.wait(lambda: page.pixels() != first)
+        page.after(lambda: view.send_keys("\ue014"))
+        view.send_keys("1")
+        view.send_keys(key)
+        page.wait(lambda: page.script("document.getElementById('trial').hidden") or page.text("count") != question)
+
+
+def check_experiment(page, file):
+    """A viewer who stops and goes on; returns the file of votes."""
+    begin = "(w => { w.value = 52; document.querySelector('#welcome button').click(); })(document.getElementById('screenWidth'))"
+    assert page.script("document.getElementById('viewer').value") == "P 7"
+    assert not page.driver.find_element(By.ID, "controls").is_displayed()
+    page.script(begin)
+    assert page.text("count").startswith("Practice"), page.text("count")
+    answer(page, 3, "c")
+    assert page.text("count") == "Question 1 of 4", page.text("count")
+    answer(page, 2, "b")
+    page.open(file, "?id=P%207")
+    page.script(begin)
+    assert page.text("count") == "Question 3 of 4", page.text("count")
+    answer(page, 2, "e")
+    page.driver.find_element(By.ID, "votesFile").click()
+    saved = lambda: glob.glob(os.path.join(os.environ["HOME"], "**/votes_P_7.json"), recursive=True)
+    page.wait(saved)
+    return saved()[0]
+
+
 def check_headset(page):
     page.driver.execute_script("window.eyes = []; const own = ask; ask = (what, request, told) => {"
                                " if (what === 'panel') eyes.push(request.state.eye); return own(what, request, told); };")
@@ -186,6 +244,7 @@ with tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as folder:
             "width": 390, "height": 800, "deviceScaleFactor": 2, "mobile": True})
         assert page.script("document.documentElement.scrollWidth") <= 390, "wider than a phone"
         assert page.script("document.getElementById('view').getBoundingClientRect().width") > 300
+        check_fingers(page)
     finally:
         page.driver.quit()
     # Compared with a coded one: the PSNR of a report, another picture for each content, the map.
@@ -209,4 +268,31 @@ with tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as folder:
         assert len(shown) == 4, shown
     finally:
         page.driver.quit()
+    # An experiment: two tests in two states.
+    small = os.path.join(folder, "small.json")
+    with open(os.path.join(SOURCE, "tests/data/table1.json"), encoding="utf-8") as document:
+        session_of = json.load(document)
+    session_of["cameras"] = session_of["cameras"][:2]
+    session_of["lightField"]["file"] = os.path.join(SOURCE, "tests/data", session_of["lightField"]["file"])
+    with open(small, "w", encoding="utf-8") as document:
+        json.dump(session_of, document)
+    tests = []
+    for quality in (40, 2):
+        tests += ["--test", os.path.join(folder, f"coded{quality}.jpg")]
+        Image.open(session_of["lightField"]["file"]).convert("RGB").save(tests[-1], quality=quality)
+    subprocess.run([PROGRAM, "--export", "page", "--session", small, *tests, "--output", file, "--experiment", "dsis", "--quiet"], check=True)
+    page = Page(file, "1200,900", more="?id=P%207")
+    try:
+        votes = check_experiment(page, file)
+    finally:
+        page.driver.quit()
+    with open(votes, encoding="utf-8") as document:
+        trials = json.load(document)["trials"]
+    assert [trial["vote"] for trial in trials] == [4, 4, 1, 1], trials
+    assert len({(trial["state"], *trial["shown"]) for trial in trials}) == 4
+    assert all(trial["shown"][0] == "small" and trial["seconds"] > 0 for trial in trials), trials
+    assert all({point[1] for point in trial["path"]} == {0, 1} and trial["path"][-1][2] > 0.005 for trial in trials), trials
+    subprocess.run([PROGRAM, "--votes", votes, "--output", os.path.join(folder, "votes"), "--quiet"], check=True)
+    with open(os.path.join(folder, "votes/votes.csv"), encoding="utf-8") as table:
+        assert sum(float(row["mos"]) for row in csv.DictReader(table) if row["state"] != "all states") == 10
 print("all of it is as it should be")

@@ -58,12 +58,16 @@ int exportRig(const Session& session, const CommandLine& line) {
 
 int exportPage(const Session& session, const CommandLine& line) {
   requirePage(session);
-  std::optional<PageQuality> quality;
+  PageOptions options;
   if (line.has("quality"))
-    quality = line.text("quality") == "exact" ? PageQuality::exact : PageQuality::small;
+    options.quality = line.text("quality") == "exact" ? PageQuality::exact : PageQuality::small;
+  options.experiment = line.text("experiment", "");
+  if (line.has("experiment") && !line.has("test"))
+    throw InputError("command line", "--experiment", "compares light fields: give --test LF too");
   const fs::path output = line.text("output");
   const Input input(session, openLightField(session.lightField, session.display));
   const std::string name = fs::path(line.text("session")).stem().string();
+  options.title = name.empty() ? "hogelscope" : name;
   std::vector<PageContent> contents{{name, input.file}};
   std::vector<fs::path> files;
   for (const std::string& test : line.texts("test")) {
@@ -76,14 +80,16 @@ int exportPage(const Session& session, const CommandLine& line) {
   checkResults(line, session, {output});
   makeFolderOf(output);
   ProgressBar bar("exporting", line.has("quiet"));
-  const ViewPage page =
-      viewPage(session, contents, name.empty() ? "hogelscope" : name, quality, bar.progress());
+  const ViewPage page = viewPage(session, contents, options, bar.progress());
   writeTextFile(output, page.html);
   bar.done();
   if (!finish(line, session)) return 0;
   std::cout << printable(output.string()) << ": a page of "
             << numberText(fourDigits(double(page.html.size()) / 1e6)) << " MB\n";
   for (const std::string& note : page.notes) std::cout << note << "\n";
+  if (line.has("experiment"))
+    std::cout << questionsOf(options.experiment, contents.size(), session.cameras.size())
+              << " question(s) for each viewer\n";
   return 0;
 }
 
@@ -97,7 +103,7 @@ int runExport(const CommandLine& line) {
   const Session session = loadSessionOf(line);
   if (line.subject == "rig") return exportRig(session, line);
   if (line.subject == "page") return exportPage(session, line);
-  for (const char* const own : {"quality", "test"})
+  for (const char* const own : {"quality", "test", "experiment"})
     if (line.has(own))
       throw InputError("command line", "--" + std::string(own), "is for --export page");
   if (line.subject == "pack") requireHogels(session.display, "a pack");
@@ -174,7 +180,9 @@ Job exportJob() {
           "             --set display.directions=[48,1]\n"
           "  hogelscope --export rig --session s.json --output rig.json \\\n"
           "             --set lightField.viewingDistance=0.6\n"
-          "  hogelscope --export page --session s.json --output s.html --test coded.png\n",
+          "  hogelscope --export page --session s.json --output s.html --test coded.png\n"
+          "  hogelscope --export page --session s.json --output votes.html --test coded.png \\\n"
+          "             --experiment dsis\n",
       .needs = {"session", "output"},
       .takes = {"set", "test", "twin", "plugins-path", "save-session", "memory", "threads",
                 "quiet"},
@@ -188,7 +196,15 @@ Job exportJob() {
             .value = "exact|small",
             .after = "for-twin",
             .choices = {"exact", "small"},
-            .help = "Of a page: exact (PNG), or small (WebP). Default: exact up to 8 MB."}},
+            .help = "Of a page: exact (PNG), or small (WebP). Default: exact up to 8 MB."},
+           {.name = "experiment",
+            .value = "pairs|dsis",
+            .after = "quality",
+            .choices = {"pairs", "dsis"},
+            .help =
+                "Of a page with --test: viewers vote on the light fields, pairs: which of two is "
+                "better, dsis: how much a test's errors annoy beside the reference (BT.500). "
+                "--votes reads what they save."}},
       .run = runExport};
 }
 

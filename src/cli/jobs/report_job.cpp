@@ -17,6 +17,7 @@
 #include "core/base/text.h"
 #include "core/optics/eyes.h"
 #include "io/documents/session_file.h"
+#include "io/files/atomic_file.h"
 #include "io/plugins/metric_plugins.h"
 #include "report/page/report_tables.h"
 #include "report/report_facts.h"
@@ -24,6 +25,7 @@
 #include "report/report_moves.h"
 #include "report/report_run.h"
 #include "report/test_orders.h"
+#include "web/view_page.h"
 
 namespace hogelscope {
 
@@ -186,6 +188,27 @@ Report makeWithProgress(const ReportRequest& request, const CommandLine& line) {
   }
 }
 
+/// Writes the page in which one looks around in the light fields that are compared.
+void writePage(const ReportRequest& request, const CommandLine& line) {
+  ProgressBar bar("making the page", line.has("quiet"));
+  std::vector<PageContent> contents{{request.name, request.file}};
+  for (const ReportTest& test : request.tests) contents.push_back({test.name, test.file});
+  for (PageContent& content : contents) content.name = fs::path(content.name).stem().string();
+  const ViewPage page =
+      viewPage(request.session, contents, {contents.front().name}, bar.progress());
+  makeFolder(request.output);
+  writeTextFile(fs::path(request.output) / "page.html", page.html);
+  bar.done();
+}
+
+/// Throws if a page cannot show what is compared.
+void requirePageOf(const ReportRequest& request) {
+  if (request.isAgainstIdeal || request.isAgainstDesign)
+    throw InputError("command line", "--page", "compares light fields: it is not for --against");
+  requirePage(request.session);
+  for (const ReportTest& test : request.tests) requirePage(test.session);
+}
+
 int runReport(const CommandLine& line) {
   const bool isQuiet = line.has("quiet");
   ReportRequest request;
@@ -210,6 +233,8 @@ int runReport(const CommandLine& line) {
   request.output = line.text("output");
   request.command = line.shellText;
   request.images = line.has("images");
+  request.hasPage = line.has("page");
+  if (request.hasPage) requirePageOf(request);
   request.shard = shardOf(line);
   const FilesInUse inUse(inputsOf(request));
   checkResults(line, session, filesOf(request));
@@ -234,6 +259,7 @@ int runReport(const CommandLine& line) {
     warnOf(*test.file, test.name, line);
     announceStreaming(*test.file, request.memory / 2, isQuiet);
   }
+  if (request.hasPage && !request.shard) writePage(request, line);
   const Report report = makeWithProgress(request, line);
   finish(line, session);
   if (request.shard) {
@@ -286,6 +312,10 @@ Job reportJob() {
           {{.name = "images",
             .after = "masks",
             .help = "Also the pictures, DIR/reference and DIR/test1, test2, …"},
+           {.name = "page",
+            .after = "images",
+            .help = "Also DIR/page.html, in which anyone looks around in the light fields, one at "
+                    "a time, side by side or as their error (as --export page --test)."},
            {.name = "test",
             .value = "LF",
             .heading = "Comparing light fields",

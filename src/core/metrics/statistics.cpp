@@ -105,6 +105,24 @@ std::vector<double> ranksOf(const std::vector<double>& values) {
   return ranks;
 }
 
+double correlation(const std::vector<double>& a, const std::vector<double>& b) {
+  if (a.size() != b.size()) throw std::invalid_argument("correlation: sizes differ");
+  const auto mean = [](const std::vector<double>& values) {
+    return std::accumulate(values.begin(), values.end(), 0.0) / double(values.size());
+  };
+  const double meanA = mean(a);
+  const double meanB = mean(b);
+  double ab = 0;
+  double aa = 0;
+  double bb = 0;
+  for (std::size_t k = 0; k < a.size(); ++k) {
+    ab += (a[k] - meanA) * (b[k] - meanB);
+    aa += (a[k] - meanA) * (a[k] - meanA);
+    bb += (b[k] - meanB) * (b[k] - meanB);
+  }
+  return ab / std::sqrt(aa * bb);  // 0/0 is NaN
+}
+
 double rankCorrelation(const std::vector<double>& a, const std::vector<double>& b) {
   if (a.size() != b.size()) throw std::invalid_argument("rankCorrelation: sizes differ");
   std::vector<double> x;
@@ -114,18 +132,7 @@ double rankCorrelation(const std::vector<double>& a, const std::vector<double>& 
     x.push_back(a[k]);
     y.push_back(b[k]);
   }
-  x = ranksOf(x);
-  y = ranksOf(y);
-  const double mean = 0.5 * double(x.size() + 1);
-  double xy = 0;
-  double xx = 0;
-  double yy = 0;
-  for (std::size_t k = 0; k < x.size(); ++k) {
-    xy += (x[k] - mean) * (y[k] - mean);
-    xx += (x[k] - mean) * (x[k] - mean);
-    yy += (y[k] - mean) * (y[k] - mean);
-  }
-  return xy / std::sqrt(xx * yy);  // 0/0 is NaN
+  return correlation(ranksOf(x), ranksOf(y));
 }
 
 Histogram lumaHistogram(const Image& image) {

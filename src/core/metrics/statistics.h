@@ -47,6 +47,10 @@ std::vector<Interval> bootstrap(const std::vector<std::vector<double>>& units,
 /// No value may be NaN.
 std::vector<double> ranksOf(const std::vector<double>& values);
 
+/// Returns Pearson's correlation; NaN for fewer than two pairs, or if all values of one list are
+/// equal. No value may be NaN. Throws std::invalid_argument if the sizes differ.
+double correlation(const std::vector<double>& a, const std::vector<double>& b);
+
 /// Returns Spearman's ρ, Pearson's correlation of the ranks, over the pairs without NaN. NaN for
 /// fewer than two pairs, or if all values of one list are equal. Throws std::invalid_argument if
 /// the sizes differ.

@@ -172,7 +172,7 @@ void LightFieldOutput::share() {
         openLightField(session.lightField, session.display, part(progress, 0, 0.1));
     // Marked as in use until the page has been written, too.
     const auto inUse = std::make_shared<const FilesInUse>(filesOf(session, *content));
-    const ViewPage page = viewPage(session, {{title, content}}, title, {}, part(progress, 0.1, 1));
+    const ViewPage page = viewPage(session, {{title, content}}, {title}, part(progress, 0.1, 1));
     return [this, page, inUse] {
       const QString size = QLocale().formattedDataSize(qint64(page.html.size()));
       const QString output = chooseNewFile(m_window, tr("Share a page of %1").arg(size),

@@ -7,6 +7,7 @@
 #include "core/base/text.h"
 #include "io/cameras/camera_file.h"
 #include "io/documents/trace_file.h"
+#include "io/documents/votes_file.h"
 #include "io/files/atomic_file.h"
 #include "io/json/json_parameters.h"
 
@@ -131,13 +132,14 @@ void loadTrace(const Json& object, const std::filesystem::path& folder, CameraSe
   describe(reader, params);
   reader.refuseUnknown();
   if (params.file.empty()) throw InputError("trace.file", "is missing: the CSV file's name");
-  if (isJson(params.file))
-    throw InputError("trace.file", "\"" + params.file + "\" is a document, not a CSV file");
   if (params.recording.empty() && !params.only.empty())
     throw InputError("trace.only", "needs trace.recording, the column that says which one it is");
   set.traceFile = (folder / params.file).string();
   set.source = inFile(set.traceFile, [&] {
-    return readTrace(readTextFile(set.traceFile), set.region.centre.z, params, &set.notes);
+    const std::string text = readTextFile(set.traceFile);
+    if (isVotes(text)) return traceOf(parseVotes(text));
+    if (isJson(params.file)) throw InputError("is a document, not a CSV file or one of votes", "");
+    return readTrace(text, set.region.centre.z, params, &set.notes);
   });
 }
 
@@ -185,23 +187,24 @@ void loadCameras(const std::string& file, const std::string& camera, CameraSet& 
   set.source = std::move(wanted);
 }
 
+/// The document of a trace alone.
+Json traceDocument(const std::string& file) {
+  return {{setVersion, 1}, {"trace", {{"file", std::filesystem::path(file).filename().string()}}}};
+}
+
 Json documentOfSet(const std::string& what) {
   if (isFile(what)) {
     const std::string text = readTextFile(what);
     const std::size_t begin = text.find_first_not_of(" \t\r\n");
     if (isJson(what) && begin == std::string::npos)
       throw InputError("is empty: not a camera set", "");
+    if (isVotes(text)) return traceDocument(what);
     if (isJson(what) || (begin != std::string::npos && text[begin] == '{')) return parseJson(text);
   }
-  Json document{{setVersion, 1}};
-  if (isFile(what)) {
-    document["trace"]["file"] = std::filesystem::path(what).filename().string();
-    return document;
-  }
+  if (isFile(what)) return traceDocument(what);
   if (std::ranges::find(distributions, what) == distributions.end())
     throw InputError("\"" + what + "\" is not one of uniform, random, normal, nor a file", "");
-  document["cameraRegion"]["distribution"] = what;
-  return document;
+  return {{setVersion, 1}, {"cameraRegion", {{"distribution", what}}}};
 }
 
 }  // namespace

@@ -212,6 +212,9 @@ std::string html(const ReportPage& page) {
   std::string text = "<h1>" + escaped(headingOf(page)) + "</h1>\n";
   for (const std::string& warning : page.warnings)
     text += "<p class=\"warning\">" + escaped(warning) + "</p>\n";
+  if (page.hasPage)
+    text +=
+        "<p><a href=\"page.html\">Look around</a> in all of the light fields, from any place.</p>\n";
   if (!page.summaries.empty()) {
     text += "<h2>Results</h2>\n";
     if (!rates.empty()) text += figureTag(rates.front());

@@ -52,6 +52,7 @@ struct ReportPage {
   std::vector<std::string> warnings{};  ///< sentences
   std::vector<std::string> notes{};     ///< sentences on the results
   bool isAgainstDesign = false;         ///< the tests are units of the display
+  bool hasPage = false;                 ///< page.html stands beside it
 };
 
 /// Returns the figures of the page that are files too, in the page's order.
