@@ -120,6 +120,13 @@ function hashOf({ rgba, mask }) {
   return (hash >>> 0).toString(16).padStart(8, '0');
 }
 
+// FNV-1a, 32 bits, over the bytes of a text in UTF-8.
+function textHash(text) {
+  let hash = 2166136261;
+  for (const byte of new TextEncoder().encode(text)) hash = Math.imul(hash ^ byte, 16777619);
+  return (hash >>> 0).toString(16).padStart(8, '0');
+}
+
 function fromBase64(text) {
   const letters = atob(text.trim());
   const bytes = new Uint8Array(letters.length);

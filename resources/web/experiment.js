@@ -15,12 +15,6 @@ const METHODS = {
 };
 const LETTERS = 'abcde', SECONDS_EACH = 15, PRACTICE = 3, CARD = 0.0856;  // m, ISO/IEC 7810 ID-1
 
-function textHash(text) {
-  let hash = 2166136261;
-  for (const byte of new TextEncoder().encode(text)) hash = Math.imul(hash ^ byte, 16777619);
-  return (hash >>> 0).toString(16).padStart(8, '0');
-}
-
 // Numbers from 0 to 1, always the same for a seed (mulberry32).
 function drawsOf(seed) {
   return () => {

@@ -2,6 +2,7 @@
 'use strict';
 
 const $ = id => document.getElementById(id);
+if (textHash($('session').textContent) !== $('session').dataset.hash) throw new Error(DAMAGED);
 const data = {
   session: JSON.parse($('session').textContent),
   engine: $('engine').textContent,

@@ -87,9 +87,10 @@ Values valuesOf(LightFieldFile& file, const Thinning& thinning, const Progress& 
 }
 
 /// FNV-1a of 32 bits, as eight hexadecimal digits.
-std::string hashOf(const Values& values) {
+template <class Bytes>
+std::string hashOf(const Bytes& bytes) {
   std::uint32_t hash = 2166136261U;
-  for (const std::uint8_t value : values) hash = (hash ^ value) * 16777619U;
+  for (const auto byte : bytes) hash = (hash ^ std::uint8_t(byte)) * 16777619U;
   std::string text;
   for (int shift = 28; shift >= 0; shift -= 4)
     text += "0123456789abcdef"[hash >> unsigned(shift) & 15U];
@@ -259,6 +260,7 @@ std::string htmlOf(const Session& session, const ViewPage& page, const PageOptio
                       " directions. The pictures are computed here, by the engine of Hogelscope " +
                       programVersion() + ".";
   for (const std::string& note : page.notes) facts += " " + note;
+  const std::string document = documentOf(session, page.size);
   std::string experiment;
   if (!options.experiment.empty())
     experiment = filled(pageFile("experiment.html"),
@@ -268,7 +270,8 @@ std::string htmlOf(const Session& session, const ViewPage& page, const PageOptio
                                         {"version", versionWords()},
                                         {"facts", escaped(facts)},
                                         {"still", base64(still)},
-                                        {"session", documentOf(session, page.size)},
+                                        {"session", document},
+                                        {"sessionHash", hashOf(document)},
                                         {"engine", base64(std::string(pageEngine()))},
                                         {"content", content},
                                         {"experiment", experiment},

@@ -126,10 +126,13 @@ def check_damage():
     with open("damaged.html", "w", encoding="utf-8") as file:
         file.write(page[:begin] + base64.b64encode(picture).decode() + page[end:])
     assert "damaged" in shown_by("damaged.html")
-    # A letter that is none of base64's, in the pictures and in the engine; a session that is no JSON.
+    # A letter that is none of base64's, in the pictures and in the engine; a session that is no JSON,
+    # and one in which a number is another one.
     engine = page.index('id="engine">') + 2000
-    session = page.index('id="session">') + 14
-    for at, letter in ((begin + 500, "!"), (engine, "!"), (engine, "A" if page[engine] != "A" else "B"), (session, "{")):
+    session = page.index('id="session"')
+    session = page.index("{", session) + 2
+    number = page.index('"eye": [', session) + 8
+    for at, letter in ((begin + 500, "!"), (engine, "!"), (engine, "A" if page[engine] != "A" else "B"), (session, "{"), (number, "7")):
         with open("damaged.html", "w", encoding="utf-8") as file:
             file.write(page[:at] + letter + page[at + 1:])
         assert "damaged" in shown_by("damaged.html"), (at, letter)
