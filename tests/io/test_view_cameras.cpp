@@ -253,6 +253,7 @@ class TestViewCameras : public QObject {
   void wrongPlaces();
   void brokenFile();
   void usersWords();
+  void inASession();
 
  private:
   std::unique_ptr<QTemporaryDir> m_folder;
@@ -585,6 +586,30 @@ void TestViewCameras::brokenFile() {
 }
 
 /// What is given stays, and contradictions are told.
+/// Views that replace a session's: in their cameras' order, on the display as it was.
+void TestViewCameras::inASession() {
+  for (const bool isCounted : {false, true}) {
+    const QTemporaryDir folder;
+    const std::string at = folder.path().toStdString();
+    std::vector<Eye> eyes = gridOfEyes(3, 2);
+    // The names run from below and from the right; counted ones do so along one number.
+    for (std::size_t k = 0; k < eyes.size(); ++k)
+      eyes[k].picture =
+          isCounted ? "im" + std::to_string(5 - k) + ".png"
+                    : "im_" + std::to_string(1 - k / 3) + "_" + std::to_string(2 - k % 3) + ".png";
+    writeFlat(at, eyes);
+    writeFile(folder.filePath("transforms.json"), transformsOf(eyes));
+    Session session;
+    session.display.size = {0.31, 0.17};
+    LightFieldParams views;
+    views.file = at;
+    views.layout = Layout::views;
+    const OrderedSession with = withViews(session, views, {});
+    QVERIFY(areInOrder(with.session, 3, 2));
+    QCOMPARE(with.session.display.size, session.display.size);
+  }
+}
+
 void TestViewCameras::usersWords() {
   const auto eyes = writeNamed("v", 4, 4, {true, false, false});
   writeFile("v/transforms.json", transformsOf(eyes));

@@ -138,13 +138,14 @@ void LightFieldDock::choose(const QString& file) {
 
 /// Sets the views in the background, after their order has been found.
 void LightFieldDock::chooseViews(const LightFieldParams& views) {
-  m_task->start([this, views, display = m_model->session().display](const Progress& progress) {
-    return [this, order = findLightFieldOrder(views, display, progress)] {
+  m_task->start([this, views, session = m_model->session()](const Progress& progress) {
+    return [this, with = withViews(session, views, progress)] {
       Session content = m_model->session();
-      content.lightField = order.found;
+      content.lightField = with.session.lightField;
+      content.display.directions = with.session.display.directions;
       m_model->setContent(content);
-      for (const std::string& warning : order.warnings)
-        Q_EMIT failed(QString::fromStdString(contentName(order.found) + ": " + warning));
+      for (const std::string& warning : with.order.warnings)
+        Q_EMIT failed(QString::fromStdString(contentName(content.lightField) + ": " + warning));
     };
   });
 }

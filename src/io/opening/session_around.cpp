@@ -375,6 +375,18 @@ OrderedSession orderedSessionAround(const std::string& file,
   return result;
 }
 
+OrderedSession withViews(const Session& session, const LightFieldParams& views,
+                         const Progress& progress) {
+  OrderedSession result;
+  result.session = session;
+  Session said = session;
+  said.lightField = views;
+  const std::optional<ViewCameras> cameras = takeOrder(result, said, false, progress);
+  result.session.lightField = result.order.found;
+  if (cameras && cameras->isCounted) result.session.display.directions = said.display.directions;
+  return result;
+}
+
 void addWarnings(std::vector<std::string>& warnings, const LightFieldFile& file) {
   for (const std::string& line : file.warnings())
     if (std::ranges::find(warnings, line) == warnings.end()) warnings.push_back(line);

@@ -32,6 +32,12 @@ OrderedSession orderedSessionAround(const std::string& file,
                                     const std::vector<std::string>& overrides = {},
                                     const Progress& progress = {});
 
+/// Returns a session whose light field is replaced by these views, in the order of the cameras in
+/// a file beside them, else in the one found in the pictures. The display stays, but for directions
+/// that running numbers need. Throws as orderedSessionAround().
+OrderedSession withViews(const Session& session, const LightFieldParams& views,
+                         const Progress& progress);
+
 /// Adds the warnings of a light field that are not there already.
 void addWarnings(std::vector<std::string>& warnings, const LightFieldFile& file);
 /// Adds what the files of a light field say (ImageFile::notes()); nothing for one that cannot be
