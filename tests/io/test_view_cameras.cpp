@@ -583,9 +583,16 @@ void TestViewCameras::brokenFile() {
                  linesOf(around).section('\n', 0, 0).endsWith(": its cameras are not used"),
              qPrintable(linesOf(around)));
   }
+  QFile::remove("v/transforms.json");
+  for (const char* const ending : {".bin", ".txt"}) {
+    for (const char* const name : {"v/cameras", "v/images"})
+      writeFile(QString(name) + ending, QByteArray(40, '\x7f'));
+    const QString lines = linesOf(orderedSessionAround("v"));
+    QVERIFY2(lines.contains("its cameras are not used"), qPrintable(lines));
+    for (const char* const name : {"v/cameras", "v/images"}) QFile::remove(QString(name) + ending);
+  }
 }
 
-/// What is given stays, and contradictions are told.
 /// Views that replace a session's: in their cameras' order, on the display as it was.
 void TestViewCameras::inASession() {
   for (const bool isCounted : {false, true}) {
@@ -610,6 +617,7 @@ void TestViewCameras::inASession() {
   }
 }
 
+/// What is given stays, and contradictions are told.
 void TestViewCameras::usersWords() {
   const auto eyes = writeNamed("v", 4, 4, {true, false, false});
   writeFile("v/transforms.json", transformsOf(eyes));

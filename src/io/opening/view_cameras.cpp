@@ -33,7 +33,11 @@ std::vector<fs::path> cameraFilesBeside(const std::string& views) {
     for (const char* name : {"transforms.json", "sparse/0"})
       if (fs::path file = (place / name).lexically_normal(); fs::exists(file, none))
         files.push_back(std::move(file));
-    if (isCameraFile(place)) files.push_back(place);
+    // Damaged ones of COLMAP are told by their names alone; reading them says that they are.
+    const auto has = [&](const char* name) { return fs::exists(place / name, none); };
+    const bool isNamedSo =
+        (has("cameras.bin") && has("images.bin")) || (has("cameras.txt") && has("images.txt"));
+    if (isNamedSo || isCameraFile(place)) files.push_back(place);
   }
   return files;
 }
