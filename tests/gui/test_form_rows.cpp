@@ -180,7 +180,9 @@ void TestFormRows::everyTextHasRoom() {
     for (const char* workspace : {"layoutViewAction", "layoutCompareAction", "layoutDesignAction",
                                   "layoutMeasureAction", "layoutReportAction"}) {
       child<QAction>(workspace)->trigger();
+      // The window is laid out in several steps, which take as long as they take.
       QTest::qWait(100);
+      (void)QTest::qWaitFor([this] { return cutTexts().isEmpty(); }, 3000);
       for (const QString& text : cutTexts()) cut << sample + ", " + workspace + ": " + text;
     }
   }
