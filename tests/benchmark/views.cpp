@@ -9,6 +9,7 @@
 #include "core/content/capture_content.h"
 #include "core/engine/fast_simulation.h"
 #include "core/metrics/panel_error.h"
+#include "core/optics/stereo_image.h"
 #include "core/panel/twin.h"
 #include "tests/benchmark/scene.h"
 
@@ -308,6 +309,16 @@ void reference(benchmark::State& state) {
   countViews(state);
 }
 
+/// Joins two views for red and cyan glasses.
+void anaglyphs(benchmark::State& state) {
+  setThreads(0);
+  const Image left = simulate(plain(0));
+  const Image right = simulate(plain(1));
+  for (auto _ : state)
+    benchmark::DoNotOptimize(stereoImage(left, right, StereoMode::anaglyph).rgb.data());
+  countViews(state);
+}
+
 /// What a report adds to each view: its error thrown back onto the panel.
 void panelError(benchmark::State& state, RenderJob (*make)(int)) {
   setThreads(0);
@@ -370,6 +381,7 @@ void addViews() {
   add("16x16 px/nearest", smallViews, plain);
   add("16x16 px/nearest distorted", smallViews, distorted);
   add("16x16 px/psf 5x5", smallViews, leaking5);
+  add("picture/anaglyph of two views", anaglyphs);
   add("panel error/plain lens", panelError, plain);
   add("panel error/distorted", panelError, distorted);
   add("reference/nearest one thread", reference);

@@ -97,6 +97,33 @@ class TestStereoImage : public QObject {
     }
     QVERIFY(limited > 0);
   }
+
+  /// Bytes by tables are those of floats, which are not: for all pairs of greys, and of noise.
+  void tablesAreExact() {
+    Image l(256, 512);
+    Image r(256, 512);
+    Random random(5);
+    for (std::size_t k = 0; k < 3 * 65536; ++k) {
+      l.rgb[k] = std::uint8_t(k / 3 % 256);
+      r.rgb[k] = std::uint8_t(k / 3 / 256);
+      l.rgb[3 * 65536 + k] = std::uint8_t(random.integer(0, 255));
+      r.rgb[3 * 65536 + k] = std::uint8_t(random.integer(0, 255));
+    }
+    const auto floatsOf = [](const Image& image) {
+      FloatImage floats(image.width, image.height);
+      std::copy(image.rgb.begin(), image.rgb.end(), floats.rgb.begin());
+      return floats;
+    };
+    for (const StereoMode mode : {StereoMode::anaglyph, StereoMode::anaglyphGrey}) {
+      const Image bytes = stereoImage(l, r, mode);
+      const FloatImage floats = stereoImage(floatsOf(l), floatsOf(r), mode);
+      for (std::size_t k = 0; k < bytes.rgb.size(); ++k) {
+        const double code = floats.rgb[k];
+        const bool isBetween = std::abs(code - std::floor(code) - 0.5) < 1e-4;  // for a float
+        QVERIFY(bytes.rgb[k] == quantised(code) || isBetween);
+      }
+    }
+  }
 };
 
 QTEST_APPLESS_MAIN(TestStereoImage)

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 
+#include "core/base/parallel.h"
 #include "core/optics/psf.h"
 
 namespace hogelscope {
@@ -32,29 +33,87 @@ Rgb grey(const Rgb& c) {
   return {y, y, y};
 }
 
-void setValue(std::uint8_t& value, double code) {
-  value = quantised(code);
+double limited(double light) {
+  return std::clamp(light, 0.0, 1.0);
 }
-void setValue(float& value, double code) {
-  value = static_cast<float>(code);
+
+/// The linear light of the 256 code values, and the code values of light: quantised() of
+/// encodedFromLinear() without their power, for the same results.
+class LightTables {
+ public:
+  LightTables() {
+    for (std::size_t code = 0; code < m_light.size(); ++code) {
+      m_light[code] = linearFromEncoded(double(code));
+      m_least[code] = code == 0 ? 0 : leastOf(code);
+    }
+    m_least.back() = 2;  // above all light
+    for (std::size_t k = 0, code = 0; k < m_first.size(); ++k) {
+      while (double(k) / parts >= m_least[code + 1]) ++code;
+      m_first[k] = std::uint8_t(code);
+    }
+  }
+
+  [[nodiscard]] double lightOf(std::uint8_t code) const { return m_light[code]; }
+  [[nodiscard]] std::uint8_t codeOf(double light) const {
+    const double x = limited(light);
+    const std::uint8_t code = m_first[std::size_t(x * parts)];
+    return std::uint8_t(code + int(x >= m_least[code + std::size_t{1}]));
+  }
+
+ private:
+  /// So many that a part has one step at most: the steepest are 255 · 12.92.
+  static constexpr double parts = 8192;
+
+  /// Returns the least light of a code value above 0, to the last bit.
+  static double leastOf(std::size_t code) {
+    double below = 0, above = 1;
+    for (;;) {
+      const double middle = (below + above) / 2;
+      if (middle <= below || middle >= above) return above;
+      (quantised(encodedFromLinear(middle)) < code ? below : above) = middle;
+    }
+  }
+
+  std::array<double, 256> m_light{};
+  std::array<double, 257> m_least{};
+  std::array<std::uint8_t, std::size_t(parts) + 1> m_first{};
+};
+
+/// The light of code values, and back, of images of each kind.
+const LightTables& lightOf(const Image& /*image*/) {
+  static const LightTables tables;
+  return tables;
+}
+struct Formulas {
+  [[nodiscard]] static double lightOf(float code) { return linearFromEncoded(double(code)); }
+  [[nodiscard]] static float codeOf(double light) {
+    return static_cast<float>(encodedFromLinear(limited(light)));
+  }
+};
+Formulas lightOf(const FloatImage& /*image*/) {
+  return {};
 }
 
 template <class AnyImage>
 AnyImage anaglyph(const AnyImage& left, const AnyImage& right, bool isGrey) {
   AnyImage image(left.width, left.height);
+  const auto& codes = lightOf(image);
   const auto lightAt = [&](const AnyImage& of, std::size_t pixel) {
     const auto* const rgb = &of.rgb[3 * pixel];
-    const Rgb light = decoded(LightModel::linear, {double(rgb[0]), double(rgb[1]), double(rgb[2])});
+    const Rgb light{codes.lightOf(rgb[0]), codes.lightOf(rgb[1]), codes.lightOf(rgb[2])};
     return isGrey ? grey(light) : light;
   };
-  const auto limited = [](double light) { return encodedFromLinear(std::clamp(light, 0.0, 1.0)); };
-  for (std::size_t pixel = 0; pixel < image.seen.size(); ++pixel) {
-    const Rgb sum = times(ofLeft, lightAt(left, pixel)) + times(ofRight, lightAt(right, pixel));
-    setValue(image.rgb[3 * pixel], limited(sum.r));
-    setValue(image.rgb[3 * pixel + 1], limited(sum.g));
-    setValue(image.rgb[3 * pixel + 2], limited(sum.b));
-    image.seen[pixel] = std::max(left.seen[pixel], right.seen[pixel]);
-  }
+  parallelRows(image.height, [&](int begin, int end) {
+    const auto at = [&](int row) { return std::size_t(row) * std::size_t(image.width); };
+    for (std::size_t pixel = at(begin); pixel < at(end); ++pixel) {
+      const Rgb sum = times(ofLeft, lightAt(left, pixel)) + times(ofRight, lightAt(right, pixel));
+      auto* const rgb = &image.rgb[3 * pixel];
+      rgb[0] = codes.codeOf(sum.r);
+      rgb[1] = codes.codeOf(sum.g);
+      rgb[2] = codes.codeOf(sum.b);
+      image.seen[pixel] = std::max(left.seen[pixel], right.seen[pixel]);
+    }
+  });
   return image;
 }
 
