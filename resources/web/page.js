@@ -2,7 +2,8 @@
 'use strict';
 
 const $ = id => document.getElementById(id);
-if (textHash($('session').textContent) !== $('session').dataset.hash) throw new Error(DAMAGED);
+for (const part of [$('session'), $('engine')])
+  if (textHash(part.textContent) !== part.dataset.hash) throw new Error(DAMAGED);
 const data = {
   session: JSON.parse($('session').textContent),
   engine: $('engine').textContent,

@@ -260,6 +260,7 @@ std::string htmlOf(const Session& session, const ViewPage& page, const PageOptio
                       " directions. The pictures are computed here, by the engine of Hogelscope " +
                       programVersion() + ".";
   for (const std::string& note : page.notes) facts += " " + note;
+  const std::string engine = base64(std::string(pageEngine()));
   const std::string document = documentOf(session, page.size);
   std::string experiment;
   if (!options.experiment.empty())
@@ -272,7 +273,8 @@ std::string htmlOf(const Session& session, const ViewPage& page, const PageOptio
                                         {"still", base64(still)},
                                         {"session", document},
                                         {"sessionHash", hashOf(document)},
-                                        {"engine", base64(std::string(pageEngine()))},
+                                        {"engine", engine},
+                                        {"engineHash", hashOf(engine)},
                                         {"content", content},
                                         {"experiment", experiment},
                                         {"page.css", std::string(pageFile("page.css"))},

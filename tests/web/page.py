@@ -128,7 +128,7 @@ def check_damage():
     assert "damaged" in shown_by("damaged.html")
     # A letter that is none of base64's, in the pictures and in the engine; a session that is no JSON,
     # and one in which a number is another one.
-    engine = page.index('id="engine">') + 2000
+    engine = page.index(">", page.index('id="engine"')) + 2000
     session = page.index('id="session"')
     session = page.index("{", session) + 2
     number = page.index('"eye": [', session) + 8
