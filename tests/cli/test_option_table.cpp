@@ -46,8 +46,7 @@ QStringList given(const Flag& flag) {
       {"region", "box"},      {"seed", "3"},         {"memory", "100"},    {"threads", "2"},
       {"budget", "9"},        {"session", "s.json"}, {"test", "t.png"},    {"output", "out/o"},
       {"against", "ideal"},   {"shard", "1/2"},      {"between", "3"},     {"fps", "25"},
-      {"stereo", "anaglyph"}, {"focus-stack", "3"},  {"quality", "exact"},
-      {"experiment", "dsis"}};
+      {"stereo", "anaglyph"}, {"focus-stack", "3"},  {"quality", "exact"}, {"experiment", "dsis"}};
   if (flag.value.empty()) return {dashed(flag.name)};
   return {dashed(flag.name), values.value(text(flag.name), "value")};
 }
@@ -57,7 +56,7 @@ QStringList smallest(const Job& job) {
   static const QMap<QString, QString> values{{"make-cameras", "random"}, {"generate", "edge"},
                                              {"pack", "q_qs5x3a1.png"},  {"export", "hogels"},
                                              {"info", "s.json"},         {"status", "out"},
-                                             {"sweep", "table.json"},     {"votes", "v.json"}};
+                                             {"sweep", "table.json"},    {"votes", "v.json"}};
   QStringList arguments{dashed(job.name)};
   if (!job.value.empty()) arguments << values.value(text(job.name));
   for (const Flag& flag : allFlags())

@@ -214,7 +214,8 @@ std::string html(const ReportPage& page) {
     text += "<p class=\"warning\">" + escaped(warning) + "</p>\n";
   if (page.hasPage)
     text +=
-        "<p><a href=\"page.html\">Look around</a> in all of the light fields, from any place.</p>\n";
+        "<p><a href=\"page.html\">Look around</a> in all of the light fields, from any "
+        "place.</p>\n";
   if (!page.summaries.empty()) {
     text += "<h2>Results</h2>\n";
     if (!rates.empty()) text += figureTag(rates.front());
