@@ -38,7 +38,7 @@ class LightFieldStore::Reader {
     const std::uint64_t at = m_offsets[column];
     const std::uint32_t count = m_counts[column];
     if (at > m_file.size() || count > m_file.size() - at) return "it lies beyond the file's end";
-    return m_decompressor.decompress(bytesAt(at, count), tile);
+    return decompressTile(bytesAt(at, count), tile);
   }
 
  private:
@@ -70,7 +70,6 @@ class LightFieldStore::Reader {
   }
 
   const RandomAccessFile& m_file;
-  TileDecompressor m_decompressor;
   std::uint64_t m_rowOf = 0;
   std::uint32_t m_row = 0;
   std::vector<std::uint64_t> m_offsets;

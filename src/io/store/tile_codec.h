@@ -9,7 +9,6 @@
 #include "io/store/store_output.h"
 
 struct ZSTD_CCtx_s;
-struct ZSTD_DCtx_s;
 
 namespace hogelscope {
 
@@ -45,15 +44,7 @@ class TileCompressor {
   std::vector<std::byte> m_ofUniform;
 };
 
-/// Decompresses tiles. Not thread-safe.
-class TileDecompressor {
- public:
-  TileDecompressor();
-  /// Returns "" or the reason of a failure: damaged, or not of the tile's size.
-  [[nodiscard]] std::string decompress(std::span<const std::byte> bytes, std::span<std::byte> tile);
-
- private:
-  std::unique_ptr<ZSTD_DCtx_s, std::size_t (*)(ZSTD_DCtx_s*)> m_context;
-};
+/// Decompresses a tile. Returns "" or the reason of a failure: damaged, or not of the tile's size.
+std::string decompressTile(std::span<const std::byte> bytes, std::span<std::byte> tile);
 
 }  // namespace hogelscope
