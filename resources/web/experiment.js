@@ -48,9 +48,10 @@ function startExperiment() {
   const method = JSON.parse($('method').textContent), { instructions, question, answers } = METHODS[method];
   const page = textHash([$('session').textContent, method, ...data.names, ...data.hashes].join('\n'));
   const count = trialsOf(method, data.names.length, data.session.cameras.length, () => 0).length;
+  const asked = new URLSearchParams(location.search), seed = asked.get('seed');
   let result, trials, practice, side, seen, path, begun;
 
-  const store = () => `hogelscope votes ${page} ${result.viewer}`;
+  const store = () => `hogelscope votes ${page} ${result.viewer} ${seed ?? ''}`;
   const keep = () => { try { localStorage.setItem(store(), JSON.stringify(result)); } catch { /* a browser without a store */ } };
   const kept = () => {
     try {
@@ -109,7 +110,7 @@ function startExperiment() {
   $('instructions').textContent = instructions;
   $('length').textContent = `${count} questions, about ${Math.max(1, Math.round(count * SECONDS_EACH / 60))} minutes. `
       + 'You can stop, and go on later in the same browser under the same name.';
-  $('viewer').value = new URLSearchParams(location.search).get('id') || '';
+  $('viewer').value = asked.get('id') || '';
   $('question').textContent = question;
   answers.forEach(([vote, words], k) => {
     const button = document.createElement('button'), key = document.createElement('kbd');
@@ -150,7 +151,7 @@ function startExperiment() {
     if (old) result.trials = old.trials;
     result.screen = { width: metres('screenWidth'), distance: metres('screenDistance'),
                       pixels: [screen.width, screen.height].map(value => Math.round(value * devicePixelRatio)) };
-    const draw = drawsOf(parseInt(textHash(new URLSearchParams(location.search).get('seed') ?? viewer), 16));
+    const draw = drawsOf(parseInt(textHash(seed ?? viewer), 16));
     trials = trialsOf(method, data.names.length, data.session.cameras.length, draw);
     practice = old ? [] : shuffled(trials, draw).slice(0, Math.min(PRACTICE, count - 1));
     next();

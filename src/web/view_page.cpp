@@ -252,6 +252,15 @@ std::string filled(std::string_view page,
   return result;
 }
 
+/// Throws if votes on two contents could not be told apart.
+void requireNames(const std::vector<PageContent>& contents) {
+  for (std::size_t k = 0; k < contents.size(); ++k)
+    if (std::ranges::count(contents, contents[k].name, &PageContent::name) > 1)
+      throw InputError("--experiment",
+                       "two light fields are called " + contents[k].name +
+                           " in the votes, which have names without folder and ending: rename one");
+}
+
 /// Returns the whole page around its content; `still` is the picture of the first state.
 std::string htmlOf(const Session& session, const ViewPage& page, const PageOptions& options,
                    const std::string& content, const std::string& still) {
@@ -309,6 +318,7 @@ void requirePage(const Session& session) {
 ViewPage viewPage(const Session& session, const std::vector<PageContent>& contents,
                   const PageOptions& options, const Progress& progress) {
   requirePage(session);
+  if (!options.experiment.empty()) requireNames(contents);
   const LightFieldSize all = contents.front().file->size();
   for (const auto& [name, file] : contents)
     if (file->size() != all)

@@ -146,6 +146,11 @@ def check_refusals():
     run("--export", "page", "--session", "session.json", "--output", "a.html", "--quality", "best", status=2)
     run("--export", "hogels", "--session", "session.json", "--output", "a.png", "--quality", "small", status=2)
     sheet = os.path.join(SOURCE, "data/displays/looking_glass_portrait_sheet.json")
+    run("--export", "page", "--session", "session.json", "--output", "a.html", "--experiment", "dsis", status=2)
+    with open("session.json", encoding="utf-8") as file:
+        shutil.copy(json.load(file)["lightField"]["file"], "session.png")
+    assert "are called session" in run("--export", "page", "--session", "session.json", "--output", "a.html", "--experiment", "dsis",
+                                       "--test", "session.png", status=2)
     assert "a page" in run("--export", "page", "--session", sheet, "--output", "a.html", status=2)
     with open("session.json", encoding="utf-8") as file:
         document = json.load(file)
