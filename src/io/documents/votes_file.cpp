@@ -2,6 +2,7 @@
 #include "io/documents/votes_file.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/base/error.h"
 #include "io/json/json_parameters.h"
@@ -12,6 +13,7 @@ namespace {
 
 constexpr const char* votesVersion = "hogelscope votes";
 constexpr std::size_t mostTrials = 100000;
+constexpr double mostNumber = 1e9;  // milliseconds are 11 days
 
 const Json& listOf(const Json* list, const std::string& path, const char* what) {
   if (list == nullptr || !list->is_array()) throw InputError(path, std::string("is not ") + what);
@@ -31,7 +33,11 @@ VotesTrial::Point readPoint(const Json& list, const std::string& path) {
                        std::ranges::all_of(list, [](const Json& one) { return one.is_number(); });
   if (!isPoint || !(list[1] == 0 || list[1] == 1))
     throw InputError(path, "is not [milliseconds, 0 or 1, x, y, z]");
-  const auto at = [&list](std::size_t k) { return list[k].get<double>(); };
+  const auto at = [&](std::size_t k) {
+    const auto value = list[k].get<double>();
+    if (!(std::abs(value) <= mostNumber)) throw InputError(path, "has a number beyond 1e9");
+    return value;
+  };
   return {at(0), int(at(1)), {at(2), at(3), at(4)}};
 }
 
