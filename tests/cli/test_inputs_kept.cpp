@@ -84,6 +84,9 @@ void writeInputs() {
   writeFile("set.json", R"({"hogelscopeCameras": 1, "trace": {"file": "trace.csv"}})");
   writeFile("table.json", R"({"parameters": {"lightField.file": ["b.png"]},
                               "figures": ["psnr:design"], "pareto": {"psnr:design": "max"}})");
+  for (const QByteArray viewer : {"first", "second"})
+    writeFile(viewer + ".json", R"({"hogelscope votes": 1, "viewer": ")" + viewer + R"(",
+        "trials": [{"state": "a", "vote": 3, "shown": ["a", "b"]}]})");
   writeFile("s.json", session(hogels + R"(, "lens": "plugin", "lensSource": "measured-lens",
                                        "measured-lens": {"file": "lens.csv"})",
                               R"("file": "a.png")", R"("twin": "maps.json", )"));
@@ -218,6 +221,10 @@ std::vector<Case> cases() {
                    "camera.json", "--fit", "fitted.json"} +
            kept,
        ofMesh + QStringList{"camera.json"}},
+      {"votes",
+       "votes",
+       {"--votes", "first.json", "--votes", "second.json", "--output", "out"},
+       {"first.json", "second.json"}},
       {"info", "info", {"--info", "v", "--output", "out"}, ofViews.mid(1)}};
 }
 

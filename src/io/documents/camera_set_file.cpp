@@ -138,7 +138,8 @@ void loadTrace(const Json& object, const std::filesystem::path& folder, CameraSe
   set.source = inFile(set.traceFile, [&] {
     const std::string text = readTextFile(set.traceFile);
     if (isVotes(text)) return traceOf(parseVotes(text));
-    if (isJson(params.file)) throw InputError("is a document, not a CSV file or one of votes", "");
+    if (isJson(params.file))
+      throw InputError("trace.file", "\"" + params.file + "\" is a document, not a CSV file");
     return readTrace(text, set.region.centre.z, params, &set.notes);
   });
 }
