@@ -18,7 +18,7 @@ struct Viewer {
   bool isScreened = false;                 ///< BT.500 leaves the viewer out
 };
 
-/// How far a metric of the report goes with the votes, over its rows of the same state and test.
+/// Says how far a metric goes with the votes, over rows of the same state and test.
 struct VotesCorrelation {
   std::string metric;
   std::size_t n = 0;
