@@ -22,9 +22,7 @@ std::string intervalText(const Interval& interval) {
 
 int runVotes(const CommandLine& line) {
   const std::filesystem::path folder = line.text("output");
-  std::vector<std::filesystem::path> inputs(line.subjects.begin(), line.subjects.end());
-  for (const char* const table : {"report.csv", "metrics.csv"}) inputs.push_back(folder / table);
-  const FilesInUse inUse(inputs);
+  const FilesInUse inUse({folder / "report.csv", folder / "metrics.csv"});
   checkOutputs({folder / "votes.csv", folder / "votes.html"});
   const VotesReport report = votesReport(line.subjects, folder);
   writeVotes(report, folder);

@@ -80,7 +80,7 @@ class LightTables {
 };
 
 /// The light of code values, and back, of images of each kind.
-const LightTables& lightOf(const Image& /*image*/) {
+const LightTables& codesOf(const Image& /*image*/) {
   static const LightTables tables;
   return tables;
 }
@@ -90,14 +90,14 @@ struct Formulas {
     return static_cast<float>(encodedFromLinear(limited(light)));
   }
 };
-Formulas lightOf(const FloatImage& /*image*/) {
+Formulas codesOf(const FloatImage& /*image*/) {
   return {};
 }
 
 template <class AnyImage>
 AnyImage anaglyph(const AnyImage& left, const AnyImage& right, bool isGrey) {
   AnyImage image(left.width, left.height);
-  const auto& codes = lightOf(image);
+  const auto& codes = codesOf(image);
   const auto lightAt = [&](const AnyImage& of, std::size_t pixel) {
     const auto* const rgb = &of.rgb[3 * pixel];
     const Rgb light{codes.lightOf(rgb[0]), codes.lightOf(rgb[1]), codes.lightOf(rgb[2])};
