@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Fuzzes report.hashes: whatever it holds, a file that it does not know is hashed.
-#include "campaign/file_hashes.h"
+#include "runs/file_hashes.h"
 
 #include "io/files/content_hash.h"
 #include "tests/fuzz/fuzz.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Fuzzes a report's journal: what is added to one that was found is there when it is read again.
-#include "campaign/journal.h"
+#include "runs/journal.h"
 #include "tests/fuzz/fuzz.h"
 
 using namespace hogelscope;

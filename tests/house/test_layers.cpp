@@ -174,6 +174,7 @@ class TestLayers : public QObject {
   void roomsKeepTheirOrder();
   void librariesStayInTheirRooms();
   void circlesAreSmall();
+  void otherBuildsFindTheirHeaders();
 
  private:
   std::vector<Include> m_includes;
@@ -220,6 +221,17 @@ void TestLayers::circlesAreSmall() {
     constexpr int most = 2;
     QVERIFY2(circle.size() <= most, qPrintable(circle.join(", ")));
   }
+}
+
+/// Fuzzers are not built with the tests.
+void TestLayers::otherBuildsFindTheirHeaders() {
+  const QString root = HOGELSCOPE_SOURCE_DIR "/";
+  QStringList missing;
+  for (const Include& include : allIncludes(root + "tests/fuzz"))
+    if (include.header.contains('/') && !QFile::exists(root + "src/" + include.header) &&
+        !QFile::exists(root + include.header))
+      missing << include.module + ": " + include.header;
+  QVERIFY2(missing.isEmpty(), qPrintable(missing.join('\n')));
 }
 
 QTEST_GUILESS_MAIN(TestLayers)
