@@ -156,11 +156,14 @@ LightField ArrayLightField::read(const Progress& progress) {
   return target;
 }
 
+bool ArrayLightField::isCopied() const {
+  constexpr std::size_t small = 100000000;
+  return fitsInMemory(*this, small);
+}
+
 std::shared_ptr<const LightFieldSource> ArrayLightField::source(const SourceUse& use,
                                                                 const Progress& progress) {
-  constexpr std::size_t small = 100000000;
-  if (fitsInMemory(*this, std::min(use.memory, small)))
-    return LightFieldFile::source(use, progress);
+  if (isCopied() && fitsInMemory(*this, use.memory)) return LightFieldFile::source(use, progress);
   return std::make_shared<const ArraySource>(m_array);
 }
 

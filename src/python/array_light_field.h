@@ -39,6 +39,8 @@ class ArrayLightField : public LightFieldFile {
   [[nodiscard]] std::shared_ptr<const LightFieldSource> source(const SourceUse& use,
                                                                const Progress& progress) override;
   void stream(const HogelRow& row, const Progress& progress) override;
+  /// Whether it is small enough for that.
+  [[nodiscard]] bool isCopied() const;
 
  private:
   ViewArray m_array;

@@ -27,6 +27,7 @@ struct Document {
   std::string text;
   std::string folder;
   std::string name;
+  bool operator==(const Document&) const = default;
 };
 
 /// Parses a session. Throws InputError that begins with the document's name.

@@ -48,11 +48,12 @@ class SharedFile : public WrappedFile {
 }  // namespace
 
 Content::Content(LightFieldParams lightField, DisplayParams display,
-                 std::shared_ptr<LightFieldFile> file, std::vector<std::string> warnings)
+                 std::shared_ptr<LightFieldFile> file, std::vector<std::string> warnings, Kind kind)
     : m_lightField(std::move(lightField)),
       m_display(std::move(display)),
       m_file(std::make_shared<SharedFile>(std::move(file))),
       m_warnings(std::move(warnings)),
+      m_kind(kind),
       m_state(stateOf(m_file->files())) {
   for (const std::string& line : m_file->warnings()) m_warnings.push_back(line);
 }

@@ -15,9 +15,11 @@ namespace hogelscope {
 
 class Content {
  public:
+  enum class Kind { files, copiedArray, borrowedArray };
+
   /// `lightField` and `display` are a session's parameters for it; for an array, possible ones.
   Content(LightFieldParams lightField, DisplayParams display, std::shared_ptr<LightFieldFile> file,
-          std::vector<std::string> warnings = {});
+          std::vector<std::string> warnings = {}, Kind kind = Kind::files);
 
   /// Opens a session's own light field. Throws InputError, Cancelled.
   static std::shared_ptr<Content> openOf(const Session& session, const Progress& progress);
@@ -33,6 +35,10 @@ class Content {
   std::shared_ptr<const LightFieldSource> source(const Progress& progress);
   /// Whether the files are unchanged since they were opened.
   [[nodiscard]] bool isFresh() const;
+  /// Whether it is an array, which cannot be opened again.
+  [[nodiscard]] bool isArray() const { return m_kind != Kind::files; }
+  /// Whether its texels are the array of the user, who may change it.
+  [[nodiscard]] bool isBorrowed() const { return m_kind == Kind::borrowedArray; }
 
   /// Returns the session with this light field instead of its own. The viewing distance is kept
   /// unless this light field has another.
@@ -43,6 +49,7 @@ class Content {
   DisplayParams m_display;
   std::shared_ptr<LightFieldFile> m_file;
   std::vector<std::string> m_warnings;
+  Kind m_kind;
   std::string m_state;  ///< of the files when they were opened
   std::timed_mutex m_sourceMutex;
   std::shared_ptr<const LightFieldSource> m_source;

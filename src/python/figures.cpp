@@ -86,6 +86,10 @@ void addFigures(py::module_& module) {
   module.def("compare", &compare, py::arg("reference"), py::arg("test"), py::arg("metrics"),
              py::arg("pixels_per_degree"), py::arg("distance"), py::arg("state"),
              "Metrics of two pictures: (picture, seen, values or None) each.");
+  module.def(
+      "read_values",
+      [](const std::vector<std::string>& metrics) { return metricsOf(metrics).readUnrounded(); },
+      py::arg("metrics"), "Whether compare() with these metrics reads values before rounding.");
   module.def("bd_rate", &bdRate, py::arg("anchor"), py::arg("test"),
              "Bjøntegaard's deltas of two lists of (rate, quality).");
 }

@@ -81,8 +81,10 @@ std::shared_ptr<Content> fromArray(const py::object& value, const py::object& pr
   runStoppable(progress, [&](const Progress& hear) { checkFinite(views, hear); });
   LightFieldParams params;
   params.file = "array";
-  return std::make_shared<Content>(params, DisplayParams{},
-                                   std::make_shared<ArrayLightField>(std::move(views)));
+  auto file = std::make_shared<ArrayLightField>(std::move(views));
+  const auto kind = file->isCopied() ? Content::Kind::copiedArray : Content::Kind::borrowedArray;
+  return std::make_shared<Content>(params, DisplayParams{}, std::move(file),
+                                   std::vector<std::string>{}, kind);
 }
 
 std::shared_ptr<Content> openContent(const Document& document,

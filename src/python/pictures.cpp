@@ -38,6 +38,13 @@ Bytes bytesOf(const py::array& picture) {
   return py::cast<Bytes>(picture);
 }
 
+Bytes writableBytesOf(const py::array& out) {
+  if (!py::isinstance<Bytes>(out) || out.ndim() != 3 || out.shape(2) != 3)
+    refuse("out", out, "a picture is written into (height, width, 3) of uint8, in C order");
+  if (!out.writeable()) throw InputError("out", "is a numpy array that may not be written");
+  return py::cast<Bytes>(out);
+}
+
 Floats valuesOf(const py::array& values, const py::array& picture) {
   if (!py::isinstance<Floats>(values) || values.ndim() != picture.ndim() ||
       !std::equal(values.shape(), values.shape() + values.ndim(), picture.shape()))

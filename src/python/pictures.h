@@ -22,6 +22,9 @@ void checkPicture(const pybind11::array& picture);
 /// Returns a picture of uint8. Throws InputError.
 Bytes bytesOf(const pybind11::array& picture);
 
+/// Returns an array that a picture may be written into. Throws InputError.
+Bytes writableBytesOf(const pybind11::array& out);
+
 /// Returns the picture's values before rounding. Throws InputError unless they are float32 of its
 /// shape.
 Floats valuesOf(const pybind11::array& values, const pybind11::array& picture);

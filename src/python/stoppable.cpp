@@ -97,6 +97,44 @@ class Exchange {
   bool m_isOver = false;
 };
 
+/// A thread for one call after the other: a new one would have to start the threads of each view
+/// anew. It is never destroyed, since Python may end while it waits.
+class Worker {
+ public:
+  /// Throws std::system_error if there is no thread to be had.
+  Worker() {
+    std::thread([this] { serve(); }).detach();
+  }
+
+  void begin(std::function<void()> task) {
+    const std::lock_guard lock(m_mutex);
+    m_task = std::move(task);
+    m_changed.notify_all();
+  }
+  /// Waits for the task's end.
+  void finish() {
+    std::unique_lock lock(m_mutex);
+    m_changed.wait(lock, [this] { return !m_task; });
+  }
+
+ private:
+  [[noreturn]] void serve() {
+    std::unique_lock lock(m_mutex);
+    while (true) {
+      m_changed.wait(lock, [this] { return bool(m_task); });
+      lock.unlock();
+      m_task();
+      lock.lock();
+      m_task = nullptr;
+      m_changed.notify_all();
+    }
+  }
+
+  std::mutex m_mutex;
+  std::condition_variable m_changed;
+  std::function<void()> m_task;
+};
+
 /// Calls a Python listener with ascending fractions.
 class Listener {
  public:
@@ -125,17 +163,26 @@ class Ending {
     const py::gil_scoped_release free;
     while (!isStill()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
-  void enter(Exchange& work) {
+  /// Returns a worker for the work. Throws std::system_error.
+  Worker& enter(Exchange& work) {
     const std::lock_guard lock(m_mutex);
+    if (m_idle.empty()) m_idle.push_back(new Worker);  // NOLINT: never destroyed
+    Worker* const worker = m_idle.back();
+    m_idle.pop_back();
     m_works.push_back(&work);
+    return *worker;
   }
-  void leave(Exchange& work) {
+  void leave(Exchange& work, Worker& worker) {
     const std::lock_guard lock(m_mutex);
+    m_idle.push_back(&worker);
     std::erase(m_works, &work);
   }
   std::mutex& mutex() { return m_mutex; }
   /// Forgets all after a fork, whose copy has no working threads. The mutex must be held.
-  void forget() { m_works.clear(); }
+  void forget() {
+    m_works.clear();
+    m_idle.clear();
+  }
   [[nodiscard]] bool concernsThisThread() const {
     return m_isBegun && m_ender.load() != std::this_thread::get_id();
   }
@@ -150,6 +197,7 @@ class Ending {
 
   std::mutex m_mutex;
   std::vector<Exchange*> m_works;
+  std::vector<Worker*> m_idle;
   std::atomic<bool> m_isBegun = false;
   std::atomic<std::thread::id> m_ender{};
 };
@@ -164,16 +212,16 @@ Ending& ending() {
 }
 
 /// Waits without Python's lock. Returns whether the work is over.
-bool waitFor(Exchange& exchange, std::thread& thread) {
+bool waitFor(Exchange& exchange, Worker& worker) {
   PyThreadState* const state = PyEval_SaveThread();
   bool isOver = exchange.wait();
   if (ending().concernsThisThread()) {
     exchange.stop();
-    thread.join();
-    ending().leave(exchange);
+    worker.finish();
+    ending().leave(exchange, worker);
     waitForEver();
   }
-  if (isOver) thread.join();
+  if (isOver) worker.finish();
   PyEval_RestoreThread(state);
   return isOver;
 }
@@ -226,9 +274,9 @@ void runStoppable(const py::object& listener,
   Listener heard(listener);
   std::exception_ptr thrown;  // thrown by Python
   std::chrono::steady_clock::time_point stopped;
-  std::thread thread([&] { exchange.work(work); });
-  ending().enter(exchange);
-  while (!waitFor(exchange, thread)) {
+  Worker& worker = ending().enter(exchange);
+  worker.begin([&] { exchange.work(work); });
+  while (!waitFor(exchange, worker)) {
     try {
       if (PyErr_CheckSignals() != 0) throw py::error_already_set();
       if (!thrown) serve(exchange, heard);
@@ -242,7 +290,7 @@ void runStoppable(const py::object& listener,
       exchange.stop();
     }
   }
-  ending().leave(exchange);
+  ending().leave(exchange, worker);
   if (thrown) std::rethrow_exception(thrown);
   if (exchange.failure()) std::rethrow_exception(exchange.failure());
   heard.tell(1);

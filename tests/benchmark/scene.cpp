@@ -128,8 +128,8 @@ RenderJob viewOf(int pose, const Block& block) {
   return job;
 }
 
-void countViews(benchmark::State& state) {
-  state.SetItemsProcessed(std::int64_t(state.iterations()) * 600 * 600);
+void countViews(benchmark::State& state, std::int64_t pixels) {
+  state.SetItemsProcessed(std::int64_t(state.iterations()) * pixels);
   state.counters["views/s"] =
       benchmark::Counter(double(state.iterations()), benchmark::Counter::kIsRate);
 }
@@ -137,18 +137,19 @@ void countViews(benchmark::State& state) {
 void timeViews(benchmark::State& state, const std::function<RenderJob(int)>& make, int threads) {
   setThreads(threads);
   LensTables tables;
-  Image image(600, 600);
+  const auto [width, height] = make(0).state.camera.res;
+  Image image(width, height);
   (void)FastSimulation(make(0), tables, parallelRows);  // the table is warm
   int pose = 0;
   for (auto _ : state) {
     const FastSimulation simulation(make(pose++ % poses), tables, parallelRows);
-    parallelRows(600, [&](int begin, int end) {
-      const std::size_t first = 600 * std::size_t(begin);
-      simulation.rows(begin, end, 0, 600, &image.rgb[3 * first], &image.seen[first]);
+    parallelRows(height, [&, width = width](int begin, int end) {
+      const std::size_t first = std::size_t(width) * std::size_t(begin);
+      simulation.rows(begin, end, 0, width, &image.rgb[3 * first], &image.seen[first]);
     });
     benchmark::DoNotOptimize(image.rgb.data());
   }
-  countViews(state);
+  countViews(state, std::int64_t(width) * height);
 }
 
 }  // namespace benchmarks

@@ -29,7 +29,7 @@ void timeViews(benchmark::State& state, const std::function<hogelscope::RenderJo
                int threads);
 
 /// Reports rays/s and views/s.
-void countViews(benchmark::State& state);
+void countViews(benchmark::State& state, std::int64_t pixels = 600 * 600);
 
 template <class Function, class... Arguments>
 void add(const std::string& name, Function function, Arguments... arguments) {

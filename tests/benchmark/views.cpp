@@ -23,6 +23,12 @@ RenderJob plain(int pose) {
   return viewOf(pose);
 }
 
+RenderJob large(int pose) {
+  RenderJob job = viewOf(pose);
+  job.state.camera.res = {3840, 2160};
+  return job;
+}
+
 RenderJob distorted(int pose) {
   RenderJob job = viewOf(pose);
   job.state.distortion = {0.6, 0.3, 0.2, 0.01, 0.2};  // the paper's Fig. 3, OpenCV's order
@@ -356,6 +362,7 @@ void remapOpenCv(benchmark::State& state) {
 void addViews() {
   add("limit/nearest", limit, plain, 1, 1);
   add("view/nearest", timeViews, plain, 0);
+  add("view/nearest of 3840x2160", timeViews, large, 0);
   add("view/nearest, twin without errors", timeViews, built<Unit::zero>, 0);
   add("view/nearest, twin: lens array", timeViews, built<Unit::affine>, 0);
   add("view/nearest, twin: hogels", timeViews, built<Unit::hogels>, 0);

@@ -35,7 +35,8 @@ class Stubs(unittest.TestCase):
         """Functions and classes of a module or a class."""
         stubs = {node.name: node for node in body if isinstance(node, (ast.FunctionDef, ast.ClassDef))}
         values = {node.target.id for node in body if isinstance(node, ast.AnnAssign)}
-        real = {name for name in vars(module) if not name.startswith("_") or name == "__init__"}
+        real = {name for name, member in vars(module).items() if not name.startswith("_")
+                or (name == "__init__" and "->" in (member.__doc__ or ""))}  # may be constructed
         self.assertEqual(set(stubs) | values, real - {"doc"})
         for name, node in stubs.items():
             member = vars(module)[name]

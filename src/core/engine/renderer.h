@@ -26,13 +26,21 @@ class Renderer {
   [[nodiscard]] Image render(const RenderJob& job, const Progress& progress = {});
   /// Renders the same image without rounding.
   [[nodiscard]] FloatImage renderFloat(const RenderJob& job, const Progress& progress = {});
+  /// Writes what render() or renderFloat() returns into memory of 3·width·height values and of
+  /// width·height for the mask, whatever they hold before. `Value` is std::uint8_t, for a job of 8
+  /// bits, or float.
+  template <class Value>
+  void renderInto(const RenderJob& job, Value* rgb, std::uint8_t* seen,
+                  const Progress& progress = {});
 
   [[nodiscard]] LensTables& tables() { return m_tables; }
   [[nodiscard]] const ParallelRows& rows() const { return m_rows; }
 
  private:
   template <class AnyImage>
-  [[nodiscard]] AnyImage renderChosen(const RenderJob& job, const Progress& progress);
+  [[nodiscard]] AnyImage renderChosen(const RenderJob& chosen, const Progress& progress);
+  template <class Value>
+  void renderRows(const RenderJob& job, Value* rgb, std::uint8_t* seen, const Progress& progress);
 
   ParallelRows m_rows;
   LensTables m_tables;

@@ -213,6 +213,7 @@ std::vector<FoundPlugin> listPlugins() {
 
 std::vector<fs::path> pluginFiles(const std::vector<std::string>& names) {
   std::vector<fs::path> files;
+  if (std::ranges::all_of(names, &std::string::empty)) return files;
   for (const FoundPlugin& plugin : listPlugins())
     if (plugin.refusal.empty() && std::ranges::find(names, plugin.name) != names.end()) {
       files.push_back(plugin.folder / "plugin.json");

@@ -18,10 +18,10 @@ Picture = Any  # a View, or what numpy makes an array of
 _Parts = Tuple[np.ndarray, np.ndarray, Optional[np.ndarray]]
 
 
-def _parts(picture: Picture) -> _Parts:
+def _parts(picture: Picture, needs_values: bool) -> _Parts:
     if isinstance(picture, View):
         image, seen = np.ascontiguousarray(picture.image), np.ascontiguousarray(picture.seen)
-        return image, seen, picture.values
+        return image, seen, picture.values if needs_values else None
     array = array_of(picture)
     return np.ascontiguousarray(array), np.ones(array.shape[:2], np.uint8), None
 
@@ -50,8 +50,9 @@ def compare(
         if seen_as is None
         else (seen_as.pixels_per_degree, seen_as.distance, seen_as.state)
     )
+    unrounded = _hogelscope.read_values(names)
     figures: Dict[str, Any] = _hogelscope.compare(
-        _parts(reference), _parts(test), names, *viewing
+        _parts(reference, unrounded), _parts(test, unrounded), names, *viewing
     )
     return figures
 

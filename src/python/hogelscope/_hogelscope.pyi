@@ -37,16 +37,28 @@ class SessionViews:
         ideal: bool,
         eye: str,
         focus_stack: int,
+        out: Sequence[np.ndarray],
+        first: int,
+        is_part: bool,
         threads: int,
         progress: Optional[Callable[[float], object]],
     ) -> Tuple[
         List[
             Tuple[
-                str, np.ndarray, np.ndarray, Optional[np.ndarray], Optional[float], float, float
+                str,
+                Optional[np.ndarray],
+                np.ndarray,
+                Union[None, np.ndarray, UnroundedView],
+                Optional[float],
+                float,
+                float,
             ]
         ],
         List[str],
     ]: ...
+
+class UnroundedView:
+    def values(self) -> np.ndarray: ...
 
 def add_plugin_folder(folder: str) -> None: ...
 def allow_memory(bytes: float) -> None: ...
@@ -94,6 +106,7 @@ def page(
     threads: int,
     progress: Optional[Callable[[float], object]],
 ) -> Tuple[str, List[str]]: ...
+def read_values(metrics: Sequence[str]) -> bool: ...
 def report(
     document: Document,
     light_field: Union[None, LightField, str],

@@ -8,7 +8,7 @@ import json
 import os
 from numbers import Integral
 from typing import (
-    Any, Callable, Dict, Iterable, List, Mapping, Optional, Sequence, Tuple, Union, overload
+    Any, Callable, Dict, Iterable, Iterator, List, Mapping, Optional, Sequence, Tuple, Union, overload
 )
 
 import numpy as np
@@ -36,6 +36,11 @@ def named_states(states: Iterable[Any]) -> List[Any]:
             known.add(f"view {number}")
             named[k] = {"name": f"view {number}", **state}
     return named
+
+
+def _check_eye(eye: Optional[str]) -> None:
+    if eye not in (None, "left", "right"):
+        raise InputError(f'eye: "{eye}" is neither "left" nor "right"')
 
 
 class Session(dict[str, Any], metaclass=OwnMembers):
@@ -176,6 +181,7 @@ class Session(dict[str, Any], metaclass=OwnMembers):
         *,
         ideal: bool = False,
         eye: Optional[str] = None,
+        out: Optional[np.ndarray] = None,
         threads: int = 0,
         progress: Optional[Progress] = None,
     ) -> View: ...
@@ -189,6 +195,7 @@ class Session(dict[str, Any], metaclass=OwnMembers):
         ideal: bool = False,
         eye: Optional[str] = None,
         focus_stack: int,
+        out: Optional[Sequence[np.ndarray]] = None,
         threads: int = 0,
         progress: Optional[Progress] = None,
     ) -> List[View]: ...
@@ -202,6 +209,7 @@ class Session(dict[str, Any], metaclass=OwnMembers):
         ideal: bool = False,
         eye: Optional[str] = None,
         focus_stack: Optional[int] = None,
+        out: Optional[Sequence[np.ndarray]] = None,
         threads: int = 0,
         progress: Optional[Progress] = None,
     ) -> List[View]: ...
@@ -214,6 +222,7 @@ class Session(dict[str, Any], metaclass=OwnMembers):
         ideal: bool = False,
         eye: Optional[str] = None,
         focus_stack: Optional[int] = None,
+        out: Any = None,
         threads: int = 0,
         progress: Optional[Progress] = None,
     ) -> Any:
@@ -231,38 +240,88 @@ class Session(dict[str, Any], metaclass=OwnMembers):
             focus_stack: a list of so many views of each state, two or more, instead of one: focused
                 evenly in dioptres over the depths that the display can show, the nearest first.
                 ``focus`` of each is its distance in metres. The states need a pupil.
+            out: an array (h, w, 3) of uint8 that the picture is written into, which is then the
+                View's ``image``; of a list of Views a sequence of them, or one (n, h, w, 3).
+                Without it each View has a picture of its own, in memory of Views that are no
+                longer used.
             threads: 0 for one per core; of the whole process while the call lasts.
             progress: called with the fraction done, 0 to 1.
 
         Other threads run meanwhile; Ctrl-C stops it. Raises InputError.
         """
-        if eye not in (None, "left", "right"):
-            raise InputError(f'eye: "{eye}" is neither "left" nor "right"')
+        _check_eye(eye)
         if focus_stack is not None and not (
             isinstance(focus_stack, Integral) and 2 <= focus_stack <= 9999
         ):
             raise InputError(f"focus_stack: {focus_stack} is not a whole number from 2 to 9999")
         is_one = isinstance(state, (str, bytes, Integral, Mapping))
-        wanted: List[Any] = [state] if is_one else [] if state is None else list(state)
+        wanted = None if state is None else [state] if is_one else list(state)
+        if wanted == []:
+            return []
+        is_picture = is_one and focus_stack is None
+        document, names = self._of_states(wanted, light_field)
+        arrays = [] if out is None else [out] if is_picture else list(out)
+        views = self._rendered(
+            document, names, light_choice(light_field), ideal, eye or "", int(focus_stack or 0),
+            arrays, 0, False, threads, progress
+        )
+        for view, array in zip(views, arrays):
+            view.image = array
+        return views[0] if is_picture else views
+
+    def render_all(
+        self,
+        states: Optional[Sequence[State]] = None,
+        light_field: Any = None,
+        *,
+        ideal: bool = False,
+        eye: Optional[str] = None,
+        threads: int = 0,
+    ) -> Iterator[View]:
+        """Render many states, some for each core at a time, and yield their Views in order: for
+        more pictures than fit in memory. The arguments are those of render(). Changes of the
+        session meanwhile do not count. Raises InputError.
+        """
+        _check_eye(eye)
+        wanted = None if states is None else list(states)
+        document, names = self._of_states(wanted, light_field)
+        light = light_choice(light_field)
+        total = len(self.get("cameras", []) if wanted is None else wanted)
+        done = 0
+        while done < total:
+            views = self._rendered(
+                document, names, light, ideal, eye or "", 0, [], done, True, threads, None
+            )
+            done += len(views)
+            while views:
+                yield views.pop(0)
+
+    def _of_states(
+        self, states: Optional[List[Any]], light_field: Any
+    ) -> Tuple[_hogelscope.Document, Optional[List[str]]]:
+        """The document with the states that are wanted, and their names if these were given."""
         names: Optional[List[str]] = None
         cameras: Optional[List[Any]] = None
-        if state is not None and all(isinstance(one, str) for one in wanted):
-            names = wanted
-        elif state is not None:
-            cameras = [self._state(one) for one in wanted]
-        if state is not None and not wanted:
-            return []
+        if states is not None and all(isinstance(one, str) for one in states):
+            names = states
+            own = self.get("cameras")
+            if isinstance(own, list) and all(isinstance(one, Mapping) for one in own):
+                cameras = [one for one in own if one.get("name") in names]
+                if {one["name"] for one in cameras} != set(names):
+                    cameras = None  # the program says which there are
+        elif states is not None:
+            cameras = [self._state(one) for one in states]
+        is_array = light_field is not None and not isinstance(light_field, (str, os.PathLike))
+        return self._document(cameras, not is_array), names
+
+    def _rendered(self, document: _hogelscope.Document, *arguments: Any) -> List[View]:
         if self._views is None:
             self._views = _hogelscope.SessionViews()
-        light = light_choice(light_field)
-        document = self._document(cameras, not isinstance(light, LightField))
-        rendered, inputs = self._views.render(
-            document, names, light, ideal, eye or "", int(focus_stack or 0), threads, progress
-        )
+        rendered, inputs = self._views.render(document, *arguments)
         views = [View(*one) for one in rendered]
         for view in views:
             view._inputs = [*inputs, self.name]
-        return views[0] if is_one and focus_stack is None else views
+        return views
 
     def _state(self, state: Any) -> Any:
         if isinstance(state, Mapping):

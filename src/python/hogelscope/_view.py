@@ -23,15 +23,17 @@ class View:
         seen: (h, w) bool, whether the display is seen there; the others are black. With a pupil,
             whether all of it sees the display; where a part does, the picture has its light.
         values: (h, w, 3) float32, the image before rounding, in code values (0 to 255, not
-            limited to them). None if the light field is larger than the memory and could only be
-            read once from the top (a PNG); pack it into a store then.
+            limited to them). They are rendered when they are first asked for; if a file of the
+            session has changed since, that raises InputError. None if the light field is larger
+            than the memory and could only be read once from the top (a PNG); pack it into a store
+            then.
         focus: distance of focus of a picture of a focus stack, in metres; None for others.
         pixels_per_degree: of the eye's field, in the middle of the picture; NaN if not known.
         distance: from the eye to the panel's centre, in metres; NaN if not known.
     """
 
     __slots__ = (
-        "state", "image", "seen", "values", "focus", "pixels_per_degree", "distance", "_inputs"
+        "state", "image", "seen", "_values", "focus", "pixels_per_degree", "distance", "_inputs"
     )
 
     def __init__(
@@ -47,11 +49,27 @@ class View:
         self.state = state
         self.image = image
         self.seen = seen
-        self.values = values
+        self._values: Union[None, np.ndarray, _hogelscope.UnroundedView] = values
         self.focus = focus
         self.pixels_per_degree = pixels_per_degree
         self.distance = distance
         self._inputs: List[str] = []  # files that it was made of
+
+    @property
+    def values(self) -> Optional[np.ndarray]:
+        """The image before rounding: see View."""
+        if isinstance(self._values, _hogelscope.UnroundedView):
+            self._values = self._values.values()
+        return self._values
+
+    @values.setter
+    def values(self, values: Optional[np.ndarray]) -> None:
+        self._values = values
+
+    def __getstate__(self) -> Any:
+        """With its values, for pickle and copy."""
+        _ = self.values
+        return None, {name: getattr(self, name) for name in self.__slots__}
 
     def __repr__(self) -> str:
         height, width = self.seen.shape
