@@ -44,10 +44,12 @@ QString detailsOf(const std::vector<TradeoffRow>& rows, std::size_t which,
   const double spread = spreadOf(row);
   const QString runs =
       std::isnan(spread) ? tr(", timed once") : tr(" ± %1 %").arg(figureText(100 * spread));
-  const QString error = row.rmse > 0 ? tr("RMS <b>%1</b> · PSNR <b>%2 dB</b>")
-                                           .arg(figureText(row.rmse))
-                                           .arg(row.psnr, 0, 'f', 1)
-                                     : tr("no error");
+  QString error = row.rmse > 0 ? tr("RMS <b>%1</b> · PSNR <b>%2 dB</b>")
+                                     .arg(figureText(row.rmse))
+                                     .arg(row.psnr, 0, 'f', 1)
+                               : tr("no error");
+  if (row.psnrLow < row.psnrHigh)
+    error += tr(" (%1 to %2)").arg(row.psnrLow, 0, 'f', 1).arg(row.psnrHigh, 0, 'f', 1);
   QString text =
       QString("<b>%1</b><br>%2%3 · <b>%4</b> %5<br>%6")
           .arg(nameOf(row), timeText(row.milliseconds), runs, rateText(row), tr("views/s"), error);
@@ -63,6 +65,12 @@ QString detailsOf(const std::vector<TradeoffRow>& rows, std::size_t which,
   }
   if (row.isSampled) note(tr("measured on part of the pixels"));
   return text;
+}
+
+QString errorText(const TradeoffRow& row) {
+  if (!(row.psnrLow < row.psnrHigh)) return figureText(row.rmse);
+  const auto [least, most] = errorRangeOf(row);
+  return tr("%1 (%2 to %3)").arg(figureText(row.rmse), figureText(least), figureText(most));
 }
 
 QString cardText(const std::vector<Purpose>& alike, const TradeoffRow& row, bool isUsed,

@@ -16,6 +16,8 @@ QString rateText(const TradeoffRow& row);
 /// Returns name, time, error and a better method of a measured row.
 QString detailsOf(const std::vector<TradeoffRow>& rows, std::size_t row,
                   const ChartColours& colours, double em);
+/// Returns the row's RMSE, with its interval if only part of the pixels were compared.
+QString errorText(const TradeoffRow& row);
 /// Returns the text of the button for the row that is recommended for some purposes, in one line or
 /// three. `isUsed`: the live view is rendered by the method.
 QString cardText(const std::vector<Purpose>& alike, const TradeoffRow& row, bool isUsed,

@@ -148,6 +148,16 @@ QLineF TradeoffAxes::quartilesOf(const TradeoffRow& row) const {
   return {x(row.lowerQuartile), y, x(row.upperQuartile), y};
 }
 
+QLineF TradeoffAxes::errorBarOf(const TradeoffRow& row) const {
+  if (!(row.psnrLow < row.psnrHigh)) return {};
+  const auto at = [this](double rmse) {
+    return rmse > 0 ? std::clamp(y(rmse), m_plot.top(), m_plot.bottom()) : m_plot.bottom();
+  };
+  const double x = positionOf(row)->x();
+  const auto [least, most] = errorRangeOf(row);
+  return {x, at(most), x, row.rmse > 0 ? at(least) : positionOf(row)->y()};
+}
+
 std::vector<QRectF> TradeoffAxes::areas() const {
   if (m_zero.isEmpty()) return {m_plot};
   return {m_plot, m_zero};

@@ -26,6 +26,9 @@ class TradeoffAxes {
   std::optional<QPointF> positionOf(const TradeoffRow& row) const;
   /// Returns the interquartile line of a measured row's times, through its point.
   QLineF quartilesOf(const TradeoffRow& row) const;
+  /// Returns the line of the interval that a measured row's error is in, as far as it is in the
+  /// plot; null where the error is that of all pixels.
+  QLineF errorBarOf(const TradeoffRow& row) const;
   const QFont& font() const { return m_font; }
   /// Returns the size of the text in pixels.
   double em() const { return m_em; }

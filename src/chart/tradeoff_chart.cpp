@@ -3,6 +3,7 @@
 
 #include <QFontInfo>
 #include <QFontMetricsF>
+#include <QPainterPath>
 #include <algorithm>
 #include <array>
 #include <utility>
@@ -104,8 +105,17 @@ void TradeoffChart::paintAll(QPainter& painter, const QSizeF& size, const ChartC
   axes.paint(painter, colours, QString::fromStdString(m_question) + ", RMS in code values", gaps);
   painter.setPen(QPen(colours.text, 2));
   for (const QLineF& step : paretoSteps(m_rows, axes)) painter.drawLine(step);
-  painter.setPen(QPen(colours.text2, 1));  // interquartile ranges, mostly shorter than the markers
-  for (const std::size_t row : fastToSlow(m_rows)) painter.drawLine(axes.quartilesOf(m_rows[row]));
+  painter.setPen(QPen(colours.text2, 1));  // mostly shorter than the markers
+  QPainterPath betweenNames;
+  betweenNames.addRect({{0, 0}, size});
+  for (const QRectF& gap : gaps) betweenNames.addRect(gap);
+  painter.save();
+  painter.setClipPath(betweenNames);
+  for (const std::size_t row : fastToSlow(m_rows)) {
+    painter.drawLine(axes.quartilesOf(m_rows[row]));
+    painter.drawLine(axes.errorBarOf(m_rows[row]));
+  }
+  painter.restore();
   paintMarkers(painter, axes, colours);
   for (const PlacedName& name : names) {
     painter.setPen(m_selected == name.row      ? colours.accent

@@ -12,29 +12,6 @@ double steadySeconds() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-ErrorPlan planErrors(const std::vector<PictureCost>& costs, int mostStep, std::size_t views,
-                     double seconds) {
-  ErrorPlan plan{std::vector<int>(costs.size(), 1), views};
-  const auto bandSeconds = [&](std::size_t k) { return costs[k].bands / plan.steps[k]; };
-  const auto total = [&] {
-    double sum = 0;
-    for (std::size_t k = 0; k < costs.size(); ++k) sum += costs[k].whole + bandSeconds(k);
-    return sum;
-  };
-  while (total() > seconds) {
-    std::size_t costliest = costs.size();
-    for (std::size_t k = 0; k < costs.size(); ++k)
-      if (plan.steps[k] < mostStep && bandSeconds(k) > 0 &&
-          (costliest == costs.size() || bandSeconds(k) > bandSeconds(costliest)))
-        costliest = k;
-    if (costliest == costs.size()) break;
-    plan.steps[costliest] *= 2;
-    for (int& step : plan.steps) step = std::max(step, plan.steps.front());
-  }
-  if (total() > seconds) plan.views = std::size_t(std::max(1.0, double(views) * seconds / total()));
-  return plan;
-}
-
 namespace {
 
 /// Plans the first `views` views.

@@ -12,26 +12,6 @@ namespace hogelscope {
 using Clock = std::function<double()>;
 double steadySeconds();
 
-/// The seconds of all images of one kind; rendering every n-th band of rows takes whole + bands /
-/// n.
-struct PictureCost {
-  double whole = 0;
-  double bands = 0;
-};
-
-/// The pixels on which errors are measured.
-struct ErrorPlan {
-  std::vector<int> steps;  ///< for each cost, the step of sampledBands()
-  std::size_t views = 1;
-};
-
-/// Plans the errors of the images of `views`, the reference's first. While they take more than
-/// `seconds`, the most expensive ones get half of their bands, down to one of `mostStep`; after
-/// that there are fewer views, at least one. No step is below the reference's, because only its
-/// pixels can be compared.
-ErrorPlan planErrors(const std::vector<PictureCost>& costs, int mostStep, std::size_t views,
-                     double seconds);
-
 /// The repetitions and pixels for timing methods.
 struct TimePlan {
   std::vector<bool> repeats;

@@ -151,6 +151,11 @@ double spreadOf(const TradeoffRow& row) {
   return 1.57 * (row.upperQuartile - row.lowerQuartile) / std::sqrt(row.runs) / row.milliseconds;
 }
 
+std::pair<double, double> errorRangeOf(const TradeoffRow& row) {
+  const auto rmse = [](double psnr) { return 255 * std::pow(10, -psnr / 20); };
+  return {rmse(row.psnrHigh), rmse(row.psnrLow)};
+}
+
 void markPareto(std::vector<TradeoffRow>& rows) {
   for (TradeoffRow& row : rows)
     row.isPareto = std::none_of(rows.begin(), rows.end(), [&row](const TradeoffRow& other) {
@@ -163,7 +168,7 @@ std::string csv(const std::vector<TradeoffRow>& rows) {
   std::string text =
       "method,lens,reconstruction,psf,samples,scale,precision,milliseconds,mrays_per_s,rmse,psnr,"
       "max_error,seen_mismatch,pareto,milliseconds_min,milliseconds_q75,"
-      "milliseconds_q25,spread,runs,timed_pixels,error_pixels\n";
+      "milliseconds_q25,spread,runs,timed_pixels,error_pixels,psnr_low,psnr_high\n";
   for (const TradeoffRow& row : rows) {
     for (const std::string& word : {row.method, row.lens, row.reconstruction, row.psf})
       text += "\"" + word + "\",";
@@ -172,8 +177,9 @@ std::string csv(const std::vector<TradeoffRow>& rows) {
          {row.milliseconds, row.mraysPerSecond, row.rmse, row.psnr, row.maxError, row.seenMismatch})
       text += "," + numberText(value);
     text += row.isPareto ? ",1" : ",0";
-    for (const double value : {row.fastest, row.upperQuartile, row.lowerQuartile, spreadOf(row),
-                               double(row.runs), row.timedPixels, row.errorPixels})
+    for (const double value :
+         {row.fastest, row.upperQuartile, row.lowerQuartile, spreadOf(row), double(row.runs),
+          row.timedPixels, row.errorPixels, row.psnrLow, row.psnrHigh})
       text += "," + numberText(value);
     text += "\n";
   }

@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/base/progress.h"
@@ -70,8 +71,10 @@ struct TradeoffRow {
   int runs = 0;
   double timedPixels = 0;  ///< pixels rendered by a run, over the timed states
   double mraysPerSecond = 0;
-  double rmse = 0;          ///< code values of 8-bit images, over all states, pixels and channels
-  double psnr = 0;          ///< dB; infinite if rmse is 0
+  double rmse = 0;     ///< code values of 8-bit images, over all states, pixels and channels
+  double psnr = 0;     ///< dB; infinite if rmse is 0
+  double psnrLow = 0;  ///< its 95 % interval, which is the PSNR itself over all pixels
+  double psnrHigh = 0;
   double maxError = 0;      ///< code values
   double seenMismatch = 0;  ///< share of the pixels that are seen in only one of the images
   double errorPixels = 0;   ///< pixels compared, over the states
@@ -89,9 +92,13 @@ void setTimes(TradeoffRow& row, std::vector<double> runs);
 /// one run.
 double spreadOf(const TradeoffRow& row);
 
+/// Returns the least and the largest RMSE that the row's PSNRs allow, code values.
+std::pair<double, double> errorRangeOf(const TradeoffRow& row);
+
 struct Budget {
   double seconds = 60;  ///< of wall time
   Clock clock = steadySeconds;
+  std::uint64_t seed = 1;  ///< of the pixels whose errors are measured
 };
 
 struct Tradeoff {
@@ -102,12 +109,13 @@ struct Tradeoff {
 };
 
 /// Measures all methods. Renders each image from scratch, lens rays included. A trial on few pixels
-/// gives the cost of each method. Errors take up to 0.4 of the budget, over all pixels of all views
-/// or as many as fit; the rows contain their number. The rest goes to interleaved runs, until each
-/// method's median is known to two per cent. Slow methods are timed once, on the pixels of their
-/// error. All rows have a time and an error with any budget. Errors over all pixels do not depend
-/// on threads or times. `hasBoth`: the errors for the other question are measured too, in the same
-/// pictures. Throws InputError, Cancelled.
+/// gives the cost of each method. Errors take up to 0.4 of the budget, the reference's cost
+/// included, on blocks of pixels of all views or as many as fit (see sampled_errors.h): until each
+/// method's 95 % interval is below 0.3 dB, or over all pixels; the rows contain their number. The
+/// rest goes to interleaved runs, until each method's median is known to two per cent. Slow methods
+/// are timed once, on part of their pixels if necessary. All rows have a time and an error with any
+/// budget. Errors over all pixels do not depend on threads or times. `hasBoth`: the errors for the
+/// other question are measured too, in the same pictures. Throws InputError, Cancelled.
 Tradeoff measureTradeoff(const std::vector<RenderJob>& views, const Budget& budget,
                          const ParallelRows& parallelRows, const Progress& progress,
                          bool hasBoth = false);

@@ -5,34 +5,12 @@
 
 #include "core/engine/scaled_view.h"
 #include "core/metrics/squared_error.h"
-#include "study/sampled_picture.h"
+#include "study/sampled_errors.h"
 #include "study/tradeoff.h"
 
 namespace hogelscope {
 
 namespace {
-
-/// Sums of errors over the views.
-struct ErrorSum {
-  double squares = 0;
-  int largest = 0;
-  double mismatches = 0;
-  double pixels = 0;
-};
-
-void add(const Image& expected, const Image& image, const Band& band, ErrorSum& sum) {
-  const auto width = std::size_t(image.width);
-  const std::size_t first = std::size_t(band.begin) * width;
-  const std::size_t last = std::size_t(band.end) * width;
-  for (std::size_t k = 3 * first; k < 3 * last; ++k) {
-    const int d = std::abs(int(image.rgb[k]) - int(expected.rgb[k]));
-    sum.squares += double(d) * d;
-    sum.largest = std::max(sum.largest, d);
-  }
-  for (std::size_t k = first; k < last; ++k)
-    sum.mismatches += image.seen[k] != expected.seen[k] ? 1 : 0;
-  sum.pixels += double(last - first);
-}
 
 std::string lensName(const NamedMethod& method) {
   if (method.mapping == LensMapping::direct) return "direct";
@@ -43,7 +21,7 @@ std::string lensName(const NamedMethod& method) {
   return how == LensInverse::table ? "table " + steps + " px" : "exact";
 }
 
-TradeoffRow rowOf(const NamedMethod& method, const ErrorSum& sum) {
+TradeoffRow rowOf(const NamedMethod& method, const MethodError& error, double pixels) {
   const double dropped = method.method.droppedTaps;
   TradeoffRow row;
   row.method = method.name;
@@ -53,18 +31,16 @@ TradeoffRow rowOf(const NamedMethod& method, const ErrorSum& sum) {
   row.samples = method.samplesPerPixel;
   row.scale = method.method.scale;
   row.precision = method.method.isSingle ? "float" : "double";
-  row.rmse = std::sqrt(sum.squares / (3 * sum.pixels));
-  row.psnr = psnr(sum.squares / (3 * sum.pixels));
-  row.maxError = sum.largest;
-  row.seenMismatch = sum.mismatches / sum.pixels;
-  row.errorPixels = sum.pixels;
+  row.rmse = std::sqrt(error.square);
+  row.psnr = psnr(error.square);
+  row.psnrLow = psnr(error.high);
+  row.psnrHigh = psnr(error.low);
+  row.maxError = error.largest;
+  row.seenMismatch = error.mismatches;
+  row.errorPixels = pixels;
   row.isOfPupil = method.pupilSamples.has_value();
   row.isDefault = method.name == namedMethods().front().name;
   return row;
-}
-
-double pixelsOf(const RenderJob& job) {
-  return double(job.state.camera.res[0]) * job.state.camera.res[1];
 }
 
 /// Returns the rays of one image, in millions.
@@ -81,6 +57,15 @@ bool isSettled(const std::vector<double>& runs) {
   return spreadOf(row) <= 0.02;
 }
 
+/// Returns the view with sides divided by `divisor`, at least one pixel each.
+RenderJob smaller(const RenderJob& job, int divisor) {
+  RenderJob result = job;
+  std::array<int, 2> res = job.state.camera.res;
+  for (int& side : res) side = std::max(1, side / divisor);
+  result.state = resized(job.state, res);
+  return result;
+}
+
 /// The cost of an image, from one run on some pixels.
 struct Cost {
   double seconds = 0;  ///< for all pixels
@@ -93,7 +78,6 @@ class Measurement {
               const ParallelRows& parallelRows, const Progress& progress, bool hasBoth)
       : m_methods(methodsFor(views)),
         m_questions{questionOf(views.front().sampling)},
-        m_hasPupil(havePupil(views)),
         m_budget(budget),
         m_start(budget.clock()),
         m_parallelRows(parallelRows) {
@@ -118,10 +102,9 @@ class Measurement {
   }
 
  private:
-  // Parts of the budget. No view's errors start after the limit, even if the trial was inaccurate.
+  // The parts of the budget that have passed at the end of each step.
   static constexpr double trialShare = 0.1;
   static constexpr double errorPart = 0.4;
-  static constexpr double errorLimit = 0.5;
   static constexpr double planned = 0.8;  // of the time for runs: the trial is imprecise
 
   [[nodiscard]] double elapsed() const { return m_budget.clock() - m_start; }
@@ -132,24 +115,6 @@ class Measurement {
     const RenderJob part = smaller(job, divisor);
     const double start = m_budget.clock();
     (void)Renderer(m_parallelRows).render(part, m_pulse);
-    return {(m_budget.clock() - start) * pixelsOf(job) / pixelsOf(part), divisor};
-  }
-
-  [[nodiscard]] Image reference(Question question, const RenderJob& job, int step) const {
-    NamedMethod method = question == Question::displayAsBuilt
-                             ? NamedMethod{"display"}
-                             : NamedMethod{"ideal", Reconstruction::quadrilinear, 8};
-    if (question == Question::displayAsBuilt && !m_hasPupil)
-      return sampledReference(applyMethod(method, job), step, m_parallelRows, m_pulse);
-    if (m_hasPupil) method.pupilSamples = Aperture::mostSamples;
-    Renderer renderer(m_parallelRows);
-    return sampledPicture(applyMethod(method, job), step, renderer, m_pulse);
-  }
-
-  [[nodiscard]] Cost timedReference(const RenderJob& job, int divisor) const {
-    const RenderJob part = smaller(job, divisor);
-    const double start = m_budget.clock();
-    for (const Question question : m_questions) (void)reference(question, part, 1);
     return {(m_budget.clock() - start) * pixelsOf(job) / pixelsOf(part), divisor};
   }
 
@@ -164,52 +129,43 @@ class Measurement {
 
   /// Measures the costs of all methods on as many views as fit.
   void look() {
-    const double allowed = trialShare / 2 * m_budget.seconds / double(m_methods.size() + 1);
+    const double allowed = trialShare / 2 * m_budget.seconds / double(m_methods.size());
     m_trials.resize(m_methods.size());
-    m_errorCosts.resize(m_methods.size() + 1);
     // Warms up code, pages, threads and the processor's clock.
     (void)timedPicture(applyMethod(m_methods.front(), m_views.front()), 16);
-    double pixels = 0;
     for (const RenderJob& job : m_views) {
-      if (pixels > 0 && left(trialShare) <= 0) break;
-      pixels += pixelsOf(job);
+      if (!m_trials.front().empty() && left(trialShare) <= 0) break;
       for (std::size_t m = 0; m < m_methods.size(); ++m) {
         const RenderJob used = applyMethod(m_methods[m], job);
         m_trials[m].push_back(
             costOf(allowed, [&](int divisor) { return timedPicture(used, divisor); }));
-        PictureCost& cost = m_errorCosts[m + 1];
-        (isSampled(used) ? cost.bands : cost.whole) += m_trials[m].back().seconds;
       }
-      m_errorCosts.front().bands +=
-          costOf(allowed, [&](int divisor) { return timedReference(job, divisor); }).seconds;
     }
-    for (PictureCost& cost : m_errorCosts)
-      cost = {cost.whole * m_pixels / pixels, cost.bands * m_pixels / pixels};
   }
 
+  /// Draws blocks of all views, four times as many each time, until the errors are known or as long
+  /// as there is time.
   void measureErrors() {
-    int coarsest = coarsestStep(m_views.front().state.camera.res[1]);
-    for (const RenderJob& job : m_views)
-      coarsest = std::min(coarsest, coarsestStep(job.state.camera.res[1]));
-    const ErrorPlan plan = planErrors(m_errorCosts, coarsest, m_views.size(), left(errorPart));
-    m_errors.assign(m_questions.size(), std::vector<ErrorSum>(m_methods.size()));
-    for (std::size_t k = 0; k < plan.views; ++k) {
-      if (k > 0 && left(errorLimit) <= 0) break;
+    SampledErrors errors(m_methods, m_questions, m_pixels, m_budget.seed, m_parallelRows, m_pulse);
+    constexpr double enough = 0.3;  // dB
+    double before = elapsed();
+    for (const RenderJob& job : m_views) {
+      if (m_errorViews > 0 && left(errorPart) <= 0) break;
+      errors.add(job);
       ++m_errorViews;
-      const RenderJob& job = m_views[k];
-      std::vector<Image> expected;
-      for (const Question question : m_questions)
-        expected.push_back(reference(question, job, plan.steps.front()));
-      Renderer renderer(m_parallelRows);  // reuses the lens of methods that share one
-      for (std::size_t m = 0; m < m_methods.size(); ++m) {
-        const int step = plan.steps[m + 1];
-        const RenderJob used = applyMethod(m_methods[m], job);
-        const Image image = sampledPicture(used, step, renderer, m_pulse);
-        for (std::size_t q = 0; q < expected.size(); ++q)
-          for (const Band& band : sampledBands(image.height, step))
-            add(expected[q], image, band, m_errors[q][m]);
-      }
     }
+    double perRound = elapsed() - before;
+    while (errors.rounds() < drawRounds && !errors.areKnown(enough)) {
+      const double fitting = std::max(left(errorPart), 0.0) / perRound;
+      const int rounds = int(std::min(3.0 * errors.rounds(), fitting));
+      if (rounds < 1 && !errors.areFew()) break;
+      const int drawn = errors.rounds();
+      before = elapsed();
+      errors.draw(std::max(rounds, 1));
+      perRound = (elapsed() - before) / (errors.rounds() - drawn);
+    }
+    m_errorPixels = errors.pixels();
+    for (const Question question : m_questions) m_errors.push_back(errors.errors(question));
   }
 
   Tradeoff timed() {
@@ -255,9 +211,9 @@ class Measurement {
   }
 
   /// Returns a row; without runs the time is that of the trial.
-  [[nodiscard]] TradeoffRow row(std::size_t m, const ErrorSum& error, std::vector<double> runs,
+  [[nodiscard]] TradeoffRow row(std::size_t m, const MethodError& error, std::vector<double> runs,
                                 std::size_t views) const {
-    TradeoffRow row = rowOf(m_methods[m], error);
+    TradeoffRow row = rowOf(m_methods[m], error, m_errorPixels);
     double rays = 0;
     double seconds = 0;
     double pixels = 0;
@@ -279,7 +235,6 @@ class Measurement {
   std::vector<RenderJob> m_views;  ///< in an order of which every prefix is spread over all
   std::vector<NamedMethod> m_methods;
   std::vector<Question> m_questions;  ///< the views' own first
-  bool m_hasPupil;
   Budget m_budget;
   double m_start;
   const ParallelRows& m_parallelRows;
@@ -287,8 +242,8 @@ class Measurement {
   double m_done = 0;                        ///< the share done, if the work ends before the budget
   double m_pixels = 0;                      ///< of all views
   std::vector<std::vector<Cost>> m_trials;  ///< of each method and the first views
-  std::vector<PictureCost> m_errorCosts;    ///< of all views, those of the references first
-  std::vector<std::vector<ErrorSum>> m_errors;  ///< of each question and method
+  std::vector<std::vector<MethodError>> m_errors;  ///< of each question and method
+  double m_errorPixels = 0;
   std::size_t m_errorViews = 0;
 };
 

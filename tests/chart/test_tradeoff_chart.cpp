@@ -11,6 +11,7 @@
 #include <string>
 #include <tuple>
 
+#include "chart/method_texts.h"
 #include "chart/painting.h"
 #include "chart/recommendations.h"
 #include "chart/tradeoff_chart.h"
@@ -132,6 +133,7 @@ class TestTradeoffChart : public QObject {
   void unmeasuredRowsAreLeftOut();
   void aSampleHasAnAsterisk();
   void theSpreadIsALineThroughThePoint();
+  void anErrorOfPartOfThePixelsHasABar();
   void oddRows_data();
   void oddRows();
 };
@@ -429,6 +431,30 @@ void TestTradeoffChart::theSpreadIsALineThroughThePoint() {
     if (isAt(1, from.x()) && isAt(2, from.y()) && isAt(3, to.x())) ++found;
   }
   QCOMPARE(found, 1);
+}
+
+void TestTradeoffChart::anErrorOfPartOfThePixelsHasABar() {
+  Rows rows =
+      rowsOf({{"whole", 1, 100}, {"part", 10, 10}, {"none seen", 100, 0}, {"least", 50, 1}});
+  for (TradeoffRow& row : rows) row.psnrLow = row.psnrHigh = row.psnr;
+  rows[1].psnrLow = 20 * std::log10(255 / 20.0);
+  rows[1].psnrHigh = 20 * std::log10(255 / 4.0);
+  rows[2].psnrLow = 20 * std::log10(255 / 50.0);
+  const TradeoffAxes axes = axesOf(rows);
+  const auto yOf = [&](double rmse) { return axes.positionOf(rowsOf({{"", 1, rmse}})[0])->y(); };
+  QVERIFY(axes.errorBarOf(rows[0]).isNull() && axes.errorBarOf(rows[3]).isNull());
+  const QLineF bar = axes.errorBarOf(rows[1]);
+  QCOMPARE(bar.x1(), axes.positionOf(rows[1])->x());
+  QCOMPARE(bar.x2(), bar.x1());
+  QVERIFY(std::abs(bar.y1() - yOf(20)) < 1e-6 && std::abs(bar.y2() - yOf(4)) < 1e-6);
+  const QLineF down = axes.errorBarOf(rows[2]);
+  QVERIFY(std::abs(down.y1() - yOf(50)) < 1e-6 && down.y2() == axes.positionOf(rows[2])->y());
+  rows[1].psnrLow = 0;  // outside the plot
+  QCOMPARE(axes.errorBarOf(rows[1]).y1(), axes.areas().front().top());
+  const QString with = detailsOf(rows, 1, gaudy(), 13);
+  QVERIFY2(with.contains("(0.0 to 36.1)"), qPrintable(with));
+  QCOMPARE(errorText(rows[0]), "100");
+  QCOMPARE(errorText(rows[1]), "10 (4 to 255)");
 }
 
 void TestTradeoffChart::oddRows_data() {

@@ -10,51 +10,10 @@
 
 using namespace hogelscope;
 
-namespace {
-
-double secondsOf(const std::vector<PictureCost>& costs, const ErrorPlan& plan) {
-  double sum = 0;
-  for (std::size_t k = 0; k < costs.size(); ++k)
-    sum += costs[k].whole + costs[k].bands / plan.steps[k];
-  return sum;
-}
-
-}  // namespace
-
 class TestTimeBudget : public QObject {
   Q_OBJECT
 
  private Q_SLOTS:
-  void errorsOfAllPixelsIfTheyFit() {
-    const ErrorPlan plan = planErrors({{0, 1}, {0, 2}, {3, 0}}, 64, 5, 6);
-    QCOMPARE(plan.steps, (std::vector{1, 1, 1}));
-    QCOMPARE(plan.views, std::size_t(5));
-  }
-
-  void theCostliestIsSampledFirst() {
-    const std::vector<PictureCost> costs{{0, 1}, {0, 2}, {0, 40}, {1, 0}};
-    const ErrorPlan plan = planErrors(costs, 64, 5, 10);
-    QCOMPARE(plan.steps, (std::vector{1, 1, 8, 1}));
-    QVERIFY(secondsOf(costs, plan) <= 10);
-  }
-
-  /// A method's other pixels could not be compared with anything.
-  void noStepIsBelowTheReferences() {
-    const ErrorPlan plan = planErrors({{0, 100}, {0, 1}, {0, 400}, {1, 0}}, 64, 5, 30);
-    QCOMPARE(plan.steps, (std::vector{8, 8, 32, 8}));
-  }
-
-  void fewerViewsAtLast() {
-    const std::vector<PictureCost> costs{{0, 160}, {10, 0}};
-    ErrorPlan plan = planErrors(costs, 16, 10, 10);
-    QCOMPARE(plan.steps, (std::vector{16, 16}));
-    QCOMPARE(plan.views, std::size_t(5));
-    for (const double seconds : {1e-3, 0.0, -5.0}) {
-      plan = planErrors(costs, 16, 10, seconds);
-      QCOMPARE(plan.views, std::size_t(1));
-    }
-  }
-
   void cheapMethodsAreRepeated() {
     const TimePlan plan = planTimes({{1, 1}, {1, 1}, {1, 1}, {2, 2}}, 50);
     QCOMPARE(plan.views, std::size_t(2));

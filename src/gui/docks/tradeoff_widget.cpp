@@ -236,7 +236,7 @@ void TradeoffWidget::fillTable(const std::vector<TradeoffRow>& rows) {
     const int line = m_ui->methodTable->rowCount();
     m_ui->methodTable->insertRow(line);
     const QStringList texts{nameOf(rows, k), figureText(row.milliseconds), rateText(row),
-                            figureText(row.rmse)};
+                            errorText(row)};
     for (int column = nameColumn; column <= errorColumn; ++column) {
       auto* item = new QTableWidgetItem(texts[column]);
       item->setForeground(row.isPareto ? tokens().text : tokens().text2);
