@@ -106,19 +106,20 @@ class RatioReporter : public benchmark::ConsoleReporter {
 
 }  // namespace
 
-std::shared_ptr<const LightField> lightField(const Block& block) {
+std::shared_ptr<const LightField> lightField(const std::optional<Block>& block) {
   static std::shared_ptr<LightField> field;
-  static Block held{};
+  static std::optional<Block> held{};
   if (field && held == block) return field;
   field.reset();  // before the next one takes as much again
-  field = std::make_shared<LightField>(LightFieldSize{hogels, hogels, directions, directions},
-                                       StoredType::uint8, block);
+  const LightFieldSize size{hogels, hogels, directions, directions};
+  field = std::make_shared<LightField>(size, StoredType::uint8,
+                                       block.value_or(LightField::blockFor(size)));
   held = block;
   parallelRows(hogels, [](int begin, int end) { fillRows(*field, begin, end); });
   return field;
 }
 
-RenderJob viewOf(int pose, const Block& block) {
+RenderJob viewOf(int pose, const std::optional<Block>& block) {
   RenderJob job;
   job.lightField = lightField(block);
   job.display.hogels = {hogels, hogels};

@@ -6,6 +6,7 @@
 #include <benchmark/benchmark.h>
 
 #include <functional>
+#include <optional>
 
 #include "core/optics/simulate.h"
 
@@ -16,13 +17,12 @@ inline int hogels = 512;     ///< across and down, set by --hogels
 inline int directions = 64;  ///< set by --directions
 
 using Block = std::array<std::uint32_t, 4>;
-constexpr Block standardBlock = hogelscope::LightField::standardBlock;
 
-/// Returns the light field; only the latest one is kept.
-std::shared_ptr<const hogelscope::LightField> lightField(const Block& block = standardBlock);
+/// Returns the light field, in its own blocks without others; only the latest one is kept.
+std::shared_ptr<const hogelscope::LightField> lightField(const std::optional<Block>& block = {});
 
 /// Returns a view with nearest reconstruction, no leakage and an undistorted lens.
-hogelscope::RenderJob viewOf(int pose, const Block& block = standardBlock);
+hogelscope::RenderJob viewOf(int pose, const std::optional<Block>& block = {});
 
 /// Times whole images of the fast engine; each iteration has another pose. `threads` 0: all cores.
 void timeViews(benchmark::State& state, const std::function<hogelscope::RenderJob(int)>& make,

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+#include <type_traits>
 
 #include "core/light_field/light_field.h"
 #include "core/optics/image.h"
@@ -17,6 +18,8 @@ class TestLightField : public QObject {
   void texelsLieInTheHogelImagesRaster();
   void aHogelHasItsOwnPicture();
   void storedValues();
+  void littleMemoryIsPadding();
+  void neighboursAreSetTogether();
   void wrongCountIsRefused();
   void quantisedRoundsHalfUp_data();
   void quantisedRoundsHalfUp();
@@ -62,6 +65,44 @@ void TestLightField::storedValues() {
   QVERIFY((words.texel(at) == Rgb{128 / 257.0, 100, 255}));
   const LightField floats(one, std::vector<float>{0.5F, -0.25F, 2});
   QVERIFY((floats.texel(at) == Rgb{127.5, -63.75, 510}));
+}
+
+/// A light field takes little more memory than its texels, however many directions it has.
+void TestLightField::littleMemoryIsPadding() {
+  for (const int du : {2, 3, 5, 7, 8, 9, 11, 13, 15, 16, 17, 20, 31, 64, 100})
+    for (const int dv : {1, 9, 13, 64}) {
+      const LightFieldSize size{96, 64, du, dv};
+      const double texels = double(size.width()) * double(size.height());
+      const double bytes = double(LightField::bytes(size, StoredType::uint8));
+      QVERIFY2(bytes <= 1.13 * 4 * texels + 4, qPrintable(QString("%1×%2").arg(du).arg(dv)));
+    }
+  QVERIFY(LightField::blockFor({512, 512, 64, 64}) == LightField::standardBlock);
+}
+
+/// As one after the other, wherever blocks begin; all others stay black.
+void TestLightField::neighboursAreSetTogether() {
+  const auto compare = [](auto zero) {
+    using T = decltype(zero);
+    const LightFieldSize size{21, 3, 3, 9};
+    const auto type = std::is_same_v<T, std::uint8_t>    ? StoredType::uint8
+                      : std::is_same_v<T, std::uint16_t> ? StoredType::uint16
+                                                         : StoredType::real;
+    std::vector<T> values(3 * 21);
+    for (std::size_t k = 0; k < values.size(); ++k) values[k] = T(k + 1);
+    for (int first = 0; first < 21; ++first)
+      for (int count = 0; first + count <= 21; ++count) {
+        LightField together(size, type), single(size, type);
+        together.setHogels({first, 1, 2, 8}, count, values.data());
+        for (int k = 0; k < count; ++k)
+          single.set<T>({first + k, 1, 2, 8}, &values[3 * std::size_t(k)]);
+        for (int i = 0; i < 21; ++i)
+          for (int v = 0; v < 9; ++v)
+            QVERIFY(together.texel({i, 1, 2, v}) == single.texel({i, 1, 2, v}));
+      }
+  };
+  compare(std::uint8_t{});
+  compare(std::uint16_t{});
+  compare(float{});
 }
 
 void TestLightField::wrongCountIsRefused() {

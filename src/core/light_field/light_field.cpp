@@ -26,6 +26,17 @@ std::string contentName(const LightFieldParams& params) {
   return file != nullptr && !file->empty() ? *file : params.source;
 }
 
+std::array<std::uint32_t, 4> LightField::blockFor(const LightFieldSize& size) {
+  if (size.du == 1 && size.dv == 1) return {1, 3, 0, 0};
+  const auto shiftOf = [](int directions, std::uint32_t shift) {
+    const auto padding = [&] { return (-directions) & ((1 << shift) - 1); };
+    while (shift > 0 && 16 * padding() > directions) --shift;
+    return shift;
+  };
+  return {standardBlock[0], standardBlock[1], shiftOf(size.du, standardBlock[2]),
+          shiftOf(size.dv, standardBlock[3])};
+}
+
 LightField::LightField(LightFieldSize size, StoredType type,
                        const std::array<std::uint32_t, 4>& block)
     : m_size(size),

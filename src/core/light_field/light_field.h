@@ -3,9 +3,12 @@
 // LightField → Display → Camera → Distortion → PSF → Image → Metrics → Report.
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <memory>
 #include <optional>
 #include <string>
@@ -106,12 +109,10 @@ class LightField final : public LightFieldSource, public std::enable_shared_from
   /// log2 of a block's cells along i, j, u, v, chosen by measurement (docs/measurements.md).
   static constexpr std::array<std::uint32_t, 4> standardBlock{3, 3, 3, 3};
 
-  /// Blocks of a panel behind a lens sheet, whose lenses show some columns of every row: a line of
-  /// the cache is two columns.
-  static constexpr std::array<std::uint32_t, 4> panelBlock{1, 3, 0, 0};
-  static constexpr const std::array<std::uint32_t, 4>& blockFor(const LightFieldSize& size) {
-    return size.du == 1 && size.dv == 1 ? panelBlock : standardBlock;
-  }
+  /// Returns the blocks of a light field of this size: standard ones, with fewer directions where
+  /// padding would be more than a sixteenth of an axis. Of a panel behind a lens sheet, whose lenses
+  /// show some columns of every row, a line of the cache is two columns.
+  static std::array<std::uint32_t, 4> blockFor(const LightFieldSize& size);
 
   /// Makes a black light field, in blocks as blockFor(). Throws std::length_error beyond 2^32 - 2
   /// texels.
@@ -151,6 +152,18 @@ class LightField final : public LightFieldSource, public std::enable_shared_from
   void set(const TexelIndex& at, const T* rgb) {
     std::get<TexelArray<T>>(m_texels)[m_layout.address(at)] = {rgb[0], rgb[1], rgb[2], T{}};
   }
+  /// Sets neighbours along i from `first` on; not of a slice. T must be the stored type.
+  template <class T>
+  void setHogels(const TexelIndex& first, int count, const T* rgb) {
+    Texel<T>* const line =
+        std::get<TexelArray<T>>(m_texels).data() + m_layout.address({0, first.j, first.u, first.v});
+    const int together = int(m_layout.i.mask) + 1;  // their texels lie side by side
+    for (int i = first.i, end = 0; i < first.i + count; i = end) {
+      end = std::min((i / together + 1) * together, first.i + count);
+      Texel<T>* const to = line + m_layout.i.inBlocks(std::uint32_t(i));
+      rgb = expand(rgb, end - i, to);
+    }
+  }
   /// Returns the layout of a slice; null if all texels are in memory.
   [[nodiscard]] const SliceLayout* sliceLayout() const { return m_slice.get(); }
   /// Sets the texel at an address of a slice's layout; T must be the stored type.
@@ -170,6 +183,20 @@ class LightField final : public LightFieldSource, public std::enable_shared_from
   void takeRow(int j, int v, const T* rgb);
 
  private:
+  /// Copies values into texels. Returns what follows them.
+  template <class T>
+  static const T* expand(const T* rgb, int count, Texel<T>* to) {
+    if constexpr (sizeof(T) == 1 && std::endian::native == std::endian::little)
+      for (; count > 1; --count, rgb += 3, ++to) {  // by words, of which the next has a part
+        std::uint32_t word = 0;
+        std::memcpy(&word, rgb, sizeof word);
+        word &= 0xffffffU;
+        *to = std::bit_cast<Texel<T>>(word);
+      }
+    for (; count > 0; --count, rgb += 3, ++to) *to = {rgb[0], rgb[1], rgb[2], T{}};
+    return rgb;
+  }
+
   LightFieldSize m_size;
   std::shared_ptr<const SliceLayout> m_slice;
   BlockLayout m_layout;

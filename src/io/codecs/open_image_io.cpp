@@ -275,6 +275,8 @@ class Input : public ImageInput {
                              [&](int c) { return c - channels.begin; });
     }
     const auto stored = std::size_t(channels.end - channels.begin);
+    if (stored == 3 && colours == std::array{0, 1, 2})
+      return readStored(frame, first, rows, channels, OIIO::BaseTypeFromC<T>::value, to);
     const std::size_t pixels = std::size_t(m_spec.width) * rows;
     std::vector<T> read(stored * pixels);
     readStored(frame, first, rows, channels, OIIO::BaseTypeFromC<T>::value, read.data());

@@ -99,6 +99,22 @@ class ScatteredFile : public PictureFiles {
   }
 };
 
+/// Calls `put(y, rgb)` for the rows of an image, as values of this type.
+template <class Put>
+void readRows(ImageFile& image, StoredType type, const Put& put, const Progress& progress) {
+  image.read(
+      type,
+      [&](std::size_t first, std::size_t rows, const StoredRows& values) {
+        std::visit(
+            [&](const auto* rgb) {
+              for (std::size_t row = 0; row < rows; ++row)
+                put(int(first + row), rgb + 3 * row * image.width());
+            },
+            values);
+      },
+      progress);
+}
+
 /// Reads an image into the light field; `target(x, y)` returns the texel of pixel (x, y), or none.
 /// `incoming` flips directions that were recorded looking into the scene.
 template <class Target>
@@ -113,17 +129,7 @@ void readTexels(ImageFile& image, LightField& lightField, bool incoming, Target 
       lightField.set(*at, rgb);
     }
   };
-  image.read(
-      lightField.type(),
-      [&](std::size_t first, std::size_t rows, const StoredRows& values) {
-        std::visit(
-            [&](const auto* rgb) {
-              for (std::size_t row = 0; row < rows; ++row)
-                putRow(int(first + row), rgb + 3 * row * image.width());
-            },
-            values);
-      },
-      progress);
+  readRows(image, lightField.type(), putRow, progress);
 }
 
 /// Returns the parameters with the views as they lie in the file: the default order, no shear.
@@ -134,19 +140,45 @@ inline LightFieldParams withoutOrder(LightFieldParams params) {
   return params;
 }
 
-/// Returns a function from pixel (x, y) of the view in this row and column of the grid to its texel
-/// within hogel rows [begin, begin + rows), or none.
-inline auto placeOfView(const LightFieldParams& params, const LightFieldSize& size, int row,
-                        int column, int begin, int rows) {
+/// Returns the texel of pixel (0, 0) of the view in this row and column of the grid, in a band of
+/// hogels that begins in row `begin`; it may lie outside.
+inline TexelIndex originOfView(const LightFieldParams& params, const LightFieldSize& size, int row,
+                               int column, int begin) {
   const int u = params.columns == ColumnOrder::leftRight ? column : size.du - 1 - column;
   const int v = params.rows == RowOrder::topDown ? row : size.dv - 1 - row;
   const int right = int(std::floor(params.shear[0] * (u - (size.du - 1) / 2.0) + 0.5));
   const int down = int(std::floor(params.shear[1] * (v - (size.dv - 1) / 2.0) + 0.5));
+  return {right, down - begin, u, v};
+}
+
+/// Returns a function from pixel (x, y) of that view to its texel within hogel rows [begin, begin +
+/// rows), or none.
+inline auto placeOfView(const LightFieldParams& params, const LightFieldSize& size, int row,
+                        int column, int begin, int rows) {
+  const TexelIndex origin = originOfView(params, size, row, column, begin);
   return [=, nx = size.nx](int x, int y) -> std::optional<TexelIndex> {
-    const TexelIndex at{x + right, y + down - begin, u, v};
+    const TexelIndex at{origin.i + x, origin.j + y, origin.u, origin.v};
     if (at.i < 0 || at.i >= nx || at.j < 0 || at.j >= rows) return std::nullopt;
     return at;
   };
+}
+
+/// Reads an image that is a view into a band of hogels; pixel (0, 0) is the texel `origin`.
+inline void readView(ImageFile& image, LightField& band, bool incoming, TexelIndex origin,
+                     const Progress& progress) {
+  const auto [nx, rows, du, dv] = band.size();
+  if (incoming) origin = {origin.i, origin.j, du - 1 - origin.u, dv - 1 - origin.v};
+  const int first = std::max(0, -origin.i);
+  const int last = std::min(int(image.width()), nx - origin.i);
+  if (first >= last) return;
+  readRows(
+      image, band.type(),
+      [&, rows = rows](int y, const auto* rgb) {
+        const int j = origin.j + y;
+        if (j >= 0 && j < rows)
+          band.setHogels({origin.i + first, j, origin.u, origin.v}, last - first, rgb + 3 * first);
+      },
+      progress);
 }
 
 }  // namespace hogelscope

@@ -5,6 +5,7 @@
 
 #include "capture/names/view_grid.h"
 #include "core/base/error.h"
+#include "core/base/parallel.h"
 #include "core/base/text.h"
 #include "io/files/folders.h"
 #include "io/images/image_inputs.h"
@@ -33,15 +34,19 @@ class ViewsFolder : public ScatteredFile {
   [[nodiscard]] std::vector<fs::path> files() const override { return m_views.found(); }
 
  private:
+  /// Reads views side by side: most of the time is for decoding.
   void fill(LightField& band, int begin, const Progress& progress) override {
     const std::size_t count = m_views.files.size();
-    for (std::size_t k = 0; k < count; ++k)
+    StepProgress steps(progress);
+    steps.expect(double(count));
+    sideBySide(count, threadCount(), [&](std::size_t k, std::size_t /*worker*/) {
       if (!m_views.files[k].empty())  // missing views stay black
-        readView(k, begin, band,
-                 part(progress, double(k) / double(count), double(k + 1) / double(count)));
+        readInto(k, begin, band, steps.within());
+      steps.finish();
+    });
   }
 
-  void readView(std::size_t k, int begin, LightField& band, const Progress& progress) const {
+  void readInto(std::size_t k, int begin, LightField& band, const Progress& progress) const {
     ImageFile image(m_views.files[k], m_params.yuv);
     if (image.width() != std::size_t(m_size.nx) || image.height() != std::size_t(m_size.ny))
       throw InputError(image.file().string(), "size",
@@ -50,8 +55,8 @@ class ViewsFolder : public ScatteredFile {
                            "; lightField.exclude leaves out what is no view");
     const int row = int(k) / m_views.columns;
     const int column = int(k) % m_views.columns;
-    readTexels(image, band, m_params.incoming,
-               placeOfView(m_params, m_size, row, column, begin, band.size().ny), progress);
+    readView(image, band, m_params.incoming, originOfView(m_params, m_size, row, column, begin),
+             progress);
   }
 
   ViewFiles m_views;
@@ -86,11 +91,10 @@ class ViewSequence : public ScatteredFile {
     for (std::size_t frame = 0; frame < frames; ++frame) {
       const std::size_t cell = m_grid.cellOf(frame);
       m_image.select(frame);
-      readTexels(
-          m_image, band, m_params.incoming,
-          placeOfView(m_params, m_size, int(cell / m_grid.columns), int(cell % m_grid.columns),
-                      begin, band.size().ny),
-          part(progress, double(frame) / double(frames), double(frame + 1) / double(frames)));
+      readView(m_image, band, m_params.incoming,
+               originOfView(m_params, m_size, int(cell / m_grid.columns),
+                            int(cell % m_grid.columns), begin),
+               part(progress, double(frame) / double(frames), double(frame + 1) / double(frames)));
     }
   }
 
