@@ -299,10 +299,15 @@ void TestCameraModels::roundRationalEndsAtItsFoldOrPole() {
     if (!(end.distorted > 0)) continue;
     const Distortion lens(p);
     const double angle = random.uniform(0, turn);
-    const Vec2 q = polar(0.999 * end.distorted, angle);
+    const Vec2 q = polar(std::min(0.999 * end.distorted, 0.999 * Distortion::farthest), angle);
     const auto inside = lens.undistort(q);
     QVERIFY2(inside, qPrintable(described(p)));
     QVERIFY(length(*inside) <= end.radius);
+    const Vec2 far = polar(1.001 * std::max(end.distorted, Distortion::farthest), angle);
+    QVERIFY2(!lens.undistort(far), qPrintable(described(p)));
+    Vec2 together = far;
+    BatchUndistort(lens).undistort(&together.x, &together.y, 1);
+    QVERIFY2(std::isnan(together.x), qPrintable(described(p)));
     // Before a pole rounding of the radius alone moves the pixel.
     const Jacobian j = lens.jacobian(*inside);
     const double rounding = 1e-13 * (std::abs(j.xx) + std::abs(j.yy)) * length(*inside);

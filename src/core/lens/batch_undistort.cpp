@@ -115,8 +115,9 @@ BatchUndistort::BatchUndistort(const Distortion& distortion, Progress progress)
   m_certainRadius = radius;
   // The least radial part of the model at that radius.
   const DistortionParams& lens = m_distortion.params();
-  m_certainDistorted = std::max(
-      0.0, m_distortion.radial(radius).value - 3 * radius * radius * std::hypot(lens.p1, lens.p2));
+  m_certainDistorted = std::clamp(
+      m_distortion.radial(radius).value - 3 * radius * radius * std::hypot(lens.p1, lens.p2), 0.0,
+      Distortion::farthest);
 }
 
 /// Returns a lower bound over the circle: along and across the radius for the radial terms, less
@@ -155,7 +156,8 @@ void BatchUndistort::undistortBatch(double* x, double* y, int count) const {
   // Most lenses are certain everywhere, and continuing would cost them a tenth of their time.
   if (std::all_of(isDone.begin(), isDone.begin() + count, [](bool is) { return is; })) return;
   forTheRest([&](int k, const Vec2& q) {
-    if (!std::isfinite(q.x + q.y)) return setNone(k);
+    constexpr double farthest = Distortion::farthest;
+    if (!(squaredNorm(q) <= farthest * farthest)) return setNone(k);
     const LensSector& sector = m_fans.sector(q);
     const double distance = std::sqrt(squaredNorm(q));
     if (distance >= sector.dark) return setNone(k);

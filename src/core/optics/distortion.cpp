@@ -271,6 +271,7 @@ std::optional<Vec2> Distortion::undistort(const Vec2& distorted) const {
     const double factor = distance > 0 ? std::tan(angle) / distance : 1;
     return Vec2{distorted.x * factor, distorted.y * factor};
   }
+  if (!(std::hypot(distorted.x, distorted.y) <= farthest)) return std::nullopt;
   const Branch branch = followBranch(*this, {distorted, 0}, {});
   if (branch.kind != Branch::Kind::ray) return std::nullopt;
   return branch.ideal;

@@ -136,10 +136,14 @@ class Distortion {
   [[nodiscard]] Vec2 distort(const Vec2& ideal) const;
   [[nodiscard]] Jacobian jacobian(const Vec2& ideal) const;
 
+  /// How far from the axis points have rays, in focal lengths: near a pole of a rational lens a
+  /// walk takes steps in proportion to the root of the distance.
+  static constexpr double farthest = 1e4;
+
   /// Returns the inverse on the branch that grows from the centre: it follows the preimage of the
   /// straight segment from the centre to `distorted` (followBranch). None if it meets a fold
-  /// (det J = 0) or, of a fisheye, if the ray is at 90° to the axis or more. The residual is a few
-  /// units of rounding of `distorted`.
+  /// (det J = 0), beyond `farthest` or, of a fisheye, if the ray is at 90° to the axis or more. The
+  /// residual is a few units of rounding of `distorted`.
   [[nodiscard]] std::optional<Vec2> undistort(const Vec2& distorted) const;
 
   [[nodiscard]] RadialBends bends(double radius) const;
