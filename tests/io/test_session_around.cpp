@@ -21,6 +21,21 @@ class TestSessionAround : public QObject {
   QString file(const char* name) const { return m_folder.filePath(name); }
 
  private Q_SLOTS:
+  /// A size that is given with a file of raw YUV says how many views it has.
+  void rawYuvWhoseSizeIsGiven() {
+    writeFile(file("nine.yuv"), QByteArray(9 * 48 * 32 * 3 / 2, '\x60'));
+    const std::string nine = file("nine.yuv").toStdString();
+    QVERIFY(errorOf([&] { (void)sessionAround(nine); }).contains("yuvSize: is not given"));
+    const Session session = sessionAround(nine, {"lightField.yuvSize=[48,32]"});
+    QVERIFY(session.lightField.layout == Layout::views);
+    QVERIFY((session.lightField.yuv.size == std::array{48, 32}));
+    const ViewSource scene = loadViewSource(session, {});
+    QVERIFY((scene.lightField->size() == LightFieldSize{48, 32, 3, 3}));
+    const QString wrong =
+        errorOf([&] { (void)sessionAround(nine, {"lightField.yuvSize=[48,34]"}); });
+    QVERIFY2(wrong.contains("mend lightField.yuvSize"), qPrintable(wrong));
+  }
+
   void aFolderOfViewsIsWhole() {
     for (const char* name : {"views/000_000.png", "views/000_001.png", "views/000_002.png",
                              "views/001_000.png", "views/001_001.png", "views/001_002.png"})

@@ -233,6 +233,15 @@ Session overriddenWhereKnown(const Session& session, const std::vector<std::stri
   return overridden(session, known);
 }
 
+/// Returns what overrides say of raw YUV.
+YuvParams yuvOf(Session views, const std::vector<std::string>& overrides) {
+  views.lightField.layout = Layout::views;
+  std::vector<std::string> own;
+  std::ranges::copy_if(overrides, std::back_inserter(own),
+                       [](const std::string& one) { return one.starts_with("lightField.yuv"); });
+  return own.empty() ? YuvParams{} : overridden(views, own).lightField.yuv;
+}
+
 /// Returns the display; `given` may contain the number of directions for views with one running
 /// number.
 PanelParams displayAround(const LightFieldParams& lightField, const DisplayParams& given) {
@@ -329,6 +338,8 @@ OrderedSession orderedSessionAround(const std::string& file,
   Session& session = result.session;
   session.lightField = lightFieldOf(file);
   addState(session, inFrontOf(displayOf(session)));
+  if (const YuvParams yuv = yuvOf(session, overrides); yuv != YuvParams{})
+    session.lightField = lightFieldOf(file, yuv);
   if (session.lightField.isLive()) {
     fitMesh(session.lightField, session.display, progress);
   } else {

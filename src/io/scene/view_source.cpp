@@ -79,10 +79,10 @@ bool isYuv(const std::string& file) {
   return file.ends_with(".yuv");
 }
 
-/// Whether a file is raw YUV whose name does not say that it has several pictures.
-bool isYuvPicture(const std::string& file) {
+/// Whether a file is raw YUV of which nothing says that it has several pictures.
+bool isYuvPicture(const std::string& file, const YuvParams& yuv) {
   try {
-    return isYuv(file) && ImageFile(file).frames() == 1;
+    return isYuv(file) && ImageFile(file, yuv).frames() == 1;
   } catch (const InputError&) {
     return true;  // a session has to give its size
   }
@@ -97,19 +97,20 @@ const LayoutType& typeOf(Layout layout) {
   return *types[std::size_t(layout)];
 }
 
-Holder holderOf(const std::string& file) {
-  if (isYuvPicture(file)) return Holder::picture;
+Holder holderOf(const std::string& file, const YuvParams& yuv) {
+  if (isYuvPicture(file, yuv)) return Holder::picture;
   if (isFolder(file)) return Holder::views;
   if (LightFieldStore::isStore(file)) return Holder::store;  // whose pages are alike
   if (isViewSequence(file)) return Holder::views;
   return isMeshFile(file) ? Holder::scene : Holder::picture;
 }
 
-LightFieldParams lightFieldOf(const std::string& file) {
-  const Holder holder = holderOf(file);
+LightFieldParams lightFieldOf(const std::string& file, const YuvParams& yuv) {
+  const Holder holder = holderOf(file, yuv);
   if (holder == Holder::scene) return lightFieldOfMesh(file);
   LightFieldParams params;
   params.file = file;
+  params.yuv = yuv;
   if (holder == Holder::views)
     params.layout = Layout::views;
   else if (holder == Holder::store)

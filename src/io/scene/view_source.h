@@ -16,7 +16,7 @@ namespace hogelscope {
 const LayoutType& typeOf(Layout layout);
 
 /// Returns the kind of a file or folder, by its name or its first bytes.
-Holder holderOf(const std::string& file);
+Holder holderOf(const std::string& file, const YuvParams& yuv = {});
 
 /// Opens a light field. A live scene's content is read here, and reports to `progress`. Throws
 /// InputError (missing, damaged, or not of the display's size); Cancelled.
@@ -83,8 +83,9 @@ ViewSource unloadedViewSource(const Session& session, const LightFieldFile& file
 bool readTheSame(const Session& a, const Session& b);
 
 /// Returns a light field of the kind that holderOf() returns: views, a store, a mesh, or else a
-/// quilt (by its name) or a hogel image. Throws InputError for a mesh if there is no plugin for it.
-LightFieldParams lightFieldOf(const std::string& file);
+/// quilt (by its name) or a hogel image. `yuv` has what raw YUV does not say. Throws InputError for
+/// a mesh if there is no plugin for it.
+LightFieldParams lightFieldOf(const std::string& file, const YuvParams& yuv = {});
 
 /// Returns `params` with another file, of the same layout if both files are of the same kind;
 /// otherwise, or if one is live, as lightFieldOf().
