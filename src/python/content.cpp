@@ -12,13 +12,6 @@ namespace hogelscope {
 
 namespace {
 
-/// Returns a text that changes when a file is written or replaced.
-std::string stateOf(const std::vector<std::filesystem::path>& files) {
-  std::string state;
-  for (const std::filesystem::path& file : files) state += fileIdentity(file) + "\n";
-  return state;
-}
-
 /// A file that one thread at a time reads, since decoders have a state.
 class SharedFile : public WrappedFile {
  public:
@@ -47,6 +40,12 @@ class SharedFile : public WrappedFile {
 
 }  // namespace
 
+std::string identitiesOf(const std::vector<std::filesystem::path>& files) {
+  std::string identities;
+  for (const std::filesystem::path& file : files) identities += fileIdentity(file) + "\n";
+  return identities;
+}
+
 Content::Content(LightFieldParams lightField, DisplayParams display,
                  std::shared_ptr<LightFieldFile> file, std::vector<std::string> warnings, Kind kind)
     : m_lightField(std::move(lightField)),
@@ -54,7 +53,7 @@ Content::Content(LightFieldParams lightField, DisplayParams display,
       m_file(std::make_shared<SharedFile>(std::move(file))),
       m_warnings(std::move(warnings)),
       m_kind(kind),
-      m_state(stateOf(m_file->files())) {
+      m_state(identitiesOf(m_file->files())) {
   for (const std::string& line : m_file->warnings()) m_warnings.push_back(line);
 }
 
@@ -70,7 +69,7 @@ std::shared_ptr<const LightFieldSource> Content::source(const Progress& progress
 }
 
 bool Content::isFresh() const {
-  return stateOf(m_file->files()) == m_state;
+  return identitiesOf(m_file->files()) == m_state;
 }
 
 Session Content::in(const Session& session) const {

@@ -2,6 +2,7 @@
 // A light field opened by Python from files or an array: Python's LightField.
 #pragma once
 
+#include <filesystem>
 #include <memory>
 #include <mutex>
 #include <string>
@@ -12,6 +13,9 @@
 #include "io/layouts/light_field_file.h"
 
 namespace hogelscope {
+
+/// Returns a text that changes when a file is written or replaced.
+std::string identitiesOf(const std::vector<std::filesystem::path>& files);
 
 class Content {
  public:

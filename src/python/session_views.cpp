@@ -7,10 +7,8 @@
 
 #include "core/base/error.h"
 #include "core/base/parallel.h"
-#include "core/base/text.h"
 #include "core/cameras/focus_stack.h"
 #include "core/engine/renderer.h"
-#include "io/files/content_hash.h"
 #include "io/files/system_limits.h"
 #include "io/scene/view_source.h"
 #include "python/stoppable.h"
@@ -23,7 +21,7 @@ struct SceneOrigin {
   Session session;                 ///< without states, with the light field's parameters
   std::weak_ptr<Content> content;  ///< if it is still open
   std::shared_ptr<Content> array;  ///< a numpy array's, which cannot be opened again; else null
-  std::string state;               ///< of the files
+  std::string files;               ///< their identities
 };
 
 /// What all views of one session and one light field share.
@@ -31,7 +29,7 @@ struct OpenScene {
   std::shared_ptr<const SceneOrigin> origin;
   std::shared_ptr<Content> content;
   ViewSource source;
-  std::vector<std::string> inputs;
+  std::vector<std::filesystem::path> inputs;
   bool isStreamed = false;  ///< the source has no texels then
 };
 
@@ -49,20 +47,14 @@ Session withoutStates(const Session& session) {
           session.sampling, session.depth, session.metrics,  {}};
 }
 
-std::string stateOf(const std::vector<std::string>& files) {
-  std::string state;
-  for (const std::string& file : files) state += fileIdentity(file) + "\n";
-  return state;
-}
-
 std::shared_ptr<const OpenScene> openScene(const Session& session,
                                            const std::shared_ptr<Content>& content,
                                            const Progress& progress) {
   LightFieldFile& file = *content->file();
   auto scene = std::make_shared<OpenScene>();
-  for (const auto& input : filesOf(session, file)) scene->inputs.push_back(input.string());
+  scene->inputs = filesOf(session, file);
   scene->origin = std::make_shared<SceneOrigin>(SceneOrigin{
-      session, content, content->isArray() ? content : nullptr, stateOf(scene->inputs)});
+      session, content, content->isArray() ? content : nullptr, identitiesOf(scene->inputs)});
   scene->content = content;
   scene->isStreamed = mustStream(file, allowedMemory());
   scene->source = scene->isStreamed ? unloadedViewSource(session, file, progress)
@@ -264,7 +256,7 @@ PictureMemory UnroundedView::render(const Progress& progress) const {
   std::shared_ptr<Content> content = m_origin->content.lock();
   if (!content || !content->isFresh()) content = Content::openOf(session, progress);
   const std::shared_ptr<const OpenScene> scene = openScene(session, content, progress);
-  if (scene->origin->state != m_origin->state)
+  if (scene->origin->files != m_origin->files)
     throw InputError(contentName(session.lightField),
                      "has changed since \"" + m_state.camera.name +
                          "\" was rendered, so its values are lost: render it again");
@@ -295,7 +287,7 @@ const Session& SessionViews::parsed(const Document& document) {
 std::shared_ptr<const OpenScene> SessionViews::ownScene(const Session& session,
                                                         const Progress& progress) {
   if (m_scene && m_scene->origin->session == session && !m_scene->isStreamed &&
-      stateOf(m_scene->inputs) == m_scene->origin->state)
+      identitiesOf(m_scene->inputs) == m_scene->origin->files)
     return m_scene;
   std::shared_ptr<Content> content;
   if (m_scene && readTheSame(session, m_scene->origin->session) && m_scene->content->isFresh())
@@ -323,7 +315,8 @@ RenderedViews SessionViews::render(const ViewRequest& request, const Progress& p
   takePart(session.cameras, request, scene->isStreamed);
   expand(session, scene->source.display, request);
   checkOut(request, session.cameras);
-  RenderedViews result{{}, scene->inputs};
+  RenderedViews result;
+  for (const auto& input : scene->inputs) result.inputs.push_back(input.string());
   result.views =
       ViewMaker(request, *scene, m_renderers).make(session.cameras, part(progress, 0.5, 1));
   return result;

@@ -175,14 +175,25 @@ Rgb Simulation::sent(const std::array<Hit, 3>& hits) const {
   return m_display.traits().changesLight ? m_job.twin->lit(hits, light) : light;
 }
 
-/// Averages the pixel's rays from one point of the aperture.
-std::optional<Rgb> Simulation::lightFrom(const RigidTransform& point, int x, int y) const {
-  bool seen = false;
-  Rgb sum;
+/// Returns the points of the plane z = 1 that a pixel's rays come from, of the samples that have a
+/// ray: the same for all points of the aperture.
+std::vector<Vec2> Simulation::ideals(int x, int y) const {
+  std::vector<Vec2> ideals;
   for (const RaySample& sample : m_samples) {
     const Vec2 onSensor = m_camera.normalised(x + sample.place.x - 0.5, y + sample.place.y - 0.5);
-    const std::optional<Vec2> ideal = idealPoint(m_distortion, m_job.sampling.mapping, onSensor);
-    const auto hits = ideal ? hitsOf(*ideal, point) : std::nullopt;
+    if (const auto ideal = idealPoint(m_distortion, m_job.sampling.mapping, onSensor))
+      ideals.push_back(*ideal);
+  }
+  return ideals;
+}
+
+/// Averages the pixel's rays from one point of the aperture.
+std::optional<Rgb> Simulation::lightFrom(const RigidTransform& point,
+                                         const std::vector<Vec2>& ideals) const {
+  bool seen = false;
+  Rgb sum;
+  for (const Vec2& ideal : ideals) {
+    const auto hits = hitsOf(ideal, point);
     seen = seen || hits;
     if (hits) sum = sum + sent(*hits);
   }
@@ -192,14 +203,15 @@ std::optional<Rgb> Simulation::lightFrom(const RigidTransform& point, int x, int
 }
 
 std::optional<PixelLight> Simulation::pixel(int x, int y) const {
+  const std::vector<Vec2> rays = ideals(x, y);
   if (m_aperture.isPinhole) {
-    const std::optional<Rgb> light = lightFrom(m_displayFromPoint.front(), x, y);
+    const std::optional<Rgb> light = lightFrom(m_displayFromPoint.front(), rays);
     return light ? std::optional(PixelLight{*light}) : std::nullopt;
   }
   Rgb sum;
   std::size_t seeing = 0;
   for (const RigidTransform& point : m_displayFromPoint) {
-    const std::optional<Rgb> light = lightFrom(point, x, y);
+    const std::optional<Rgb> light = lightFrom(point, rays);
     if (!light) continue;
     ++seeing;
     sum = sum + decoded(LightModel::linear, *light);

@@ -60,7 +60,9 @@ class Simulation {
  private:
   [[nodiscard]] std::optional<std::array<Hit, 3>> hitsOf(const Vec2& ideal,
                                                          const RigidTransform& from) const;
-  [[nodiscard]] std::optional<Rgb> lightFrom(const RigidTransform& point, int x, int y) const;
+  [[nodiscard]] std::vector<Vec2> ideals(int x, int y) const;
+  [[nodiscard]] std::optional<Rgb> lightFrom(const RigidTransform& point,
+                                             const std::vector<Vec2>& ideals) const;
   [[nodiscard]] Rgb leaked(const TexelIndex& at) const;
   [[nodiscard]] Rgb spotLight(const Hit& hit, const std::vector<double>& spot) const;
   [[nodiscard]] Rgb reconstructed(const Hit& hit) const;
