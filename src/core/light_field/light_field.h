@@ -110,8 +110,8 @@ class LightField final : public LightFieldSource, public std::enable_shared_from
   static constexpr std::array<std::uint32_t, 4> standardBlock{3, 3, 3, 3};
 
   /// Returns the blocks of a light field of this size: standard ones, with fewer directions where
-  /// padding would be more than a sixteenth of an axis. Of a panel behind a lens sheet, whose lenses
-  /// show some columns of every row, a line of the cache is two columns.
+  /// padding would be more than a sixteenth of an axis. Of a panel behind a lens sheet, whose
+  /// lenses show some columns of every row, a line of the cache is two columns.
   static std::array<std::uint32_t, 4> blockFor(const LightFieldSize& size);
 
   /// Makes a black light field, in blocks as blockFor(). Throws std::length_error beyond 2^32 - 2
