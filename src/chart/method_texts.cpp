@@ -30,6 +30,10 @@ double captionOf(double em) {
   return 11 * em / 13;
 }
 
+QString noErrorText(const TradeoffRow& row) {
+  return row.psnrLow < row.psnrHigh ? tr("no error seen") : tr("no error");
+}
+
 constexpr std::array titles{"Moving view", "Default", "For a paper"};  // of each Purpose
 
 }  // namespace
@@ -47,7 +51,7 @@ QString detailsOf(const std::vector<TradeoffRow>& rows, std::size_t which,
   QString error = row.rmse > 0 ? tr("RMS <b>%1</b> · PSNR <b>%2 dB</b>")
                                      .arg(figureText(row.rmse))
                                      .arg(row.psnr, 0, 'f', 1)
-                               : tr("no error");
+                               : noErrorText(row);
   if (row.psnrLow < row.psnrHigh)
     error += tr(" (%1 to %2)").arg(row.psnrLow, 0, 'f', 1).arg(row.psnrHigh, 0, 'f', 1);
   QString text =
@@ -80,7 +84,7 @@ QString cardText(const std::vector<Purpose>& alike, const TradeoffRow& row, bool
   for (const Purpose purpose : alike)
     title += styled(ringColour(purpose, colours), em, QStringLiteral("<b>○</b> ")) +
              styled(faint, em, tr(titles[std::size_t(purpose)]) + "&nbsp; ");
-  const QString error = row.rmse > 0 ? tr("error %1").arg(figureText(row.rmse)) : tr("no error");
+  const QString error = row.rmse > 0 ? tr("error %1").arg(figureText(row.rmse)) : noErrorText(row);
   const QString figures =
       styled(faint, captionOf(em),
              tr("%1 · %2 views/s · %3").arg(timeText(row.milliseconds), rateText(row), error));

@@ -109,6 +109,7 @@ void TradeoffChart::paintAll(QPainter& painter, const QSizeF& size, const ChartC
   QPainterPath betweenNames;
   betweenNames.addRect({{0, 0}, size});
   for (const QRectF& gap : gaps) betweenNames.addRect(gap);
+  for (const QRectF& caption : axes.captionBoxes()) betweenNames.addRect(caption);
   painter.save();
   painter.setClipPath(betweenNames);
   for (const std::size_t row : fastToSlow(m_rows)) {

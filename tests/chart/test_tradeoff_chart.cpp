@@ -453,6 +453,9 @@ void TestTradeoffChart::anErrorOfPartOfThePixelsHasABar() {
   QCOMPARE(axes.errorBarOf(rows[1]).y1(), axes.areas().front().top());
   const QString with = detailsOf(rows, 1, gaudy(), 13);
   QVERIFY2(with.contains("(0.0 to 36.1)"), qPrintable(with));
+  QVERIFY(detailsOf(rows, 2, gaudy(), 13).contains("no error seen"));
+  QVERIFY(
+      cardText({Purpose::standard}, rows[2], false, true, gaudy(), 13).contains("no error seen"));
   QCOMPARE(errorText(rows[0]), "100");
   QCOMPARE(errorText(rows[1]), "10 (4 to 255)");
 }
