@@ -134,9 +134,9 @@ class Pictures(FolderTest):
         for source in [*sessions, {**hs.Session(TABLE1), "cameras": [behind]}]:
             folder = "tests/data" if isinstance(source, dict) else ""
             s = hs.Session(source, folder=folder)
-            for tolerance in (0, 3):
+            for tolerance in (0,) if "interpolated" in str(source) else (0, 3):
                 s["sampling"] = {**s.get("sampling", {}), "tolerance": tolerance}
-                for state in s["cameras"][-2:]:
+                for state in s["cameras"][-1:]:
                     width, height = s.render(state).image.shape[1::-1]
                     white, black = (np.full((height, width, 3), k, np.uint8) for k in (255, 0))
                     self.assertIs(s.render(state, out=white).image, white)

@@ -160,7 +160,7 @@ class TestSampledErrors : public QObject {
       for (const int rounds : {0, drawRounds / 2}) {
         std::vector<int> hits(methods.size());
         double width = 0;
-        const int seeds = rounds == 0 ? 100 : 25;
+        const int seeds = rounds == 0 ? 100 : 10;
         for (int seed = 1; seed <= seeds; ++seed) {
           const auto found = sampled(views, methods, question, std::uint64_t(1000 * seed), rounds)
                                  .errors(question);
