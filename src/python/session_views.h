@@ -19,7 +19,7 @@ struct OpenScene;
 struct SceneOrigin;
 struct ViewRenderers;
 
-/// Which views are wanted.
+/// The request of views.
 struct ViewRequest {
   Document document;
   std::optional<std::vector<std::string>> states;  ///< their names; all without them

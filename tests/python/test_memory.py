@@ -171,6 +171,9 @@ class Pictures(FolderTest):
                             (np.zeros((40, 30, 3), np.uint8), "\"a\" is .30, 40, 3"),
                             (fixed, "may not be written"), (many[0][:, ::2], "in C order"), (one[0], "in C order")):
             self.assertRefuses(line, s.render, "a", light, out=wrong)
+        for wrong in (5, [], "ab", one.tolist()):
+            with self.assertRaisesRegex(TypeError, "^out: .* is no numpy array$"):
+                s.render("a", light, out=wrong)
         self.assertRefuses("has 1 arrays for 2 pictures", s.render, None, light, out=[one])
         self.assertRefuses("one array for several", s.render, None, light, out=[one, one])
         self.assertSame(one, before)

@@ -136,8 +136,8 @@ class Distortion {
   [[nodiscard]] Vec2 distort(const Vec2& ideal) const;
   [[nodiscard]] Jacobian jacobian(const Vec2& ideal) const;
 
-  /// How far from the axis points have rays, in focal lengths: near a pole of a rational lens a
-  /// walk takes steps in proportion to the root of the distance.
+  /// The distance from the axis, in focal lengths, beyond which no point has a ray: near a pole of
+  /// a rational lens a walk takes as many steps as the root of the distance says.
   static constexpr double farthest = 1e4;
 
   /// Returns the inverse on the branch that grows from the centre: it follows the preimage of the

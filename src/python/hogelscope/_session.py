@@ -261,6 +261,9 @@ class Session(dict[str, Any], metaclass=OwnMembers):
         is_picture = is_one and focus_stack is None
         document, names = self._of_states(wanted, light_field)
         arrays = [] if out is None else [out] if is_picture else list(out)
+        for array in arrays:
+            if not isinstance(array, np.ndarray):
+                raise TypeError(f"out: {type(array).__name__} is no numpy array")
         views = self._rendered(
             document, names, light_choice(light_field), ideal, eye or "", int(focus_stack or 0),
             arrays, 0, False, threads, progress
