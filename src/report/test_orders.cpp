@@ -2,6 +2,7 @@
 #include "report/test_orders.h"
 
 #include "io/opening/matched_order.h"
+#include "io/scene/numbered_frames.h"
 
 namespace hogelscope {
 
@@ -16,7 +17,7 @@ bool isSameOrder(const LightFieldParams& a, const LightFieldParams& b) {
 void orderTests(ReportRequest& request, const Progress& progress) {
   const Session& session = request.session;
   if (request.file && request.file->files().empty()) return;
-  OrderMatcher matcher(session.lightField, session.display);
+  OrderMatcher matcher(firstStillOf(session.lightField), session.display);
   double done = 0;
   for (ReportTest& test : request.tests) {
     const auto count = double(request.tests.size());
@@ -25,7 +26,7 @@ void orderTests(ReportRequest& request, const Progress& progress) {
     LightFieldParams& lightField = test.session.lightField;
     // Of a twin or another display the light field is the same; arrays have no files.
     if (lightField.file == session.lightField.file || test.file->files().empty()) continue;
-    const auto found = matcher.match(lightField, test.session.display, own);
+    const auto found = matcher.match(firstStillOf(lightField), test.session.display, own);
     if (!found) continue;
     const std::string order = orderText(lightField, *found);
     const bool isGiven = !isSameOrder(lightField, session.lightField) &&
@@ -35,7 +36,9 @@ void orderTests(ReportRequest& request, const Progress& progress) {
                    ", which its session does not say";
       continue;
     }
-    lightField = *found;
+    lightField.scan = found->scan;
+    lightField.rows = found->rows;
+    lightField.columns = found->columns;
     test.file = openLightField(lightField, test.session.display);
     test.order = test.name + ": its views are read with " + order +
                  ", because these are the views of the reference";

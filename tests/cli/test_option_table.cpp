@@ -42,11 +42,12 @@ QString refusalOf(const QStringList& arguments) {
 /// With a value that the option takes.
 QStringList given(const Flag& flag) {
   static const QMap<QString, QString> values{
-      {"set", "psf.sigma=1"}, {"format", "exr"},     {"fail-below", "30"}, {"count", "3"},
-      {"region", "box"},      {"seed", "3"},         {"memory", "100"},    {"threads", "2"},
-      {"budget", "9"},        {"session", "s.json"}, {"test", "t.png"},    {"output", "out/o"},
-      {"against", "ideal"},   {"shard", "1/2"},      {"between", "3"},     {"fps", "25"},
-      {"stereo", "anaglyph"}, {"focus-stack", "3"},  {"quality", "exact"}, {"experiment", "dsis"}};
+      {"set", "psf.sigma=1"}, {"format", "exr"},      {"fail-below", "30"}, {"count", "3"},
+      {"region", "box"},      {"seed", "3"},          {"memory", "100"},    {"threads", "2"},
+      {"budget", "9"},        {"session", "s.json"},  {"test", "t.png"},    {"output", "out/o"},
+      {"against", "ideal"},   {"shard", "1/2"},       {"frames", "0:1"},    {"between", "3"},
+      {"fps", "25"},          {"stereo", "anaglyph"}, {"focus-stack", "3"}, {"quality", "exact"},
+      {"experiment", "dsis"}};
   if (flag.value.empty()) return {dashed(flag.name)};
   return {dashed(flag.name), values.value(text(flag.name), "value")};
 }

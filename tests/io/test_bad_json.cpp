@@ -127,10 +127,11 @@ void TestBadJson::structure_data() {
       "directions, fov, lens");
   refusedIn("unknown lightField field", text({.lightField = R"({"filename": "scene.png"})"}),
             "lightField.filename: is not known here; did you mean \"file\"?");
-  refusedIn(
-      "a field of another layout",
-      text({.lightField = R"({"file": "scene.png", "shear": [1, 1]})"}),
-      "lightField.shear: is not known here; known are file, layout, incoming, viewingDistance");
+  refusedIn("a field of another layout",
+            text({.lightField = R"({"file": "scene.png", "shear": [1, 1]})"}),
+            "lightField.shear: is not known here; known are file, layout, incoming, "
+            "viewingDistance, fps, "
+            "frames");
   refusedIn("unknown sampling field", text({.sampling = R"({"samples_per_pixel": 1})"}),
             "sampling.samples_per_pixel: is not known here; did you mean \"samplesPerPixel\"?");
   refusedIn("unknown state field", state(R"("lookAt": [0, 0, 0])"),

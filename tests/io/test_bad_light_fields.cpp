@@ -334,7 +334,7 @@ void TestBadLightFields::rawPictures_data() {
           "wide.yuv: sample (0, 0): has more than 10 bits");
   refused("YUV's size of a PNG", hogels(R"(ok.png", "yuvSize": "x)"),
           "s.json: lightField.yuvSize: is not known here; known are file, layout, incoming, "
-          "viewingDistance");
+          "viewingDistance, fps, frames");
 
   const QByteArray jpegXl = "is JPEG XL, which OpenImageIO " +
                             QByteArray::fromStdString(openImageIoVersion()) +

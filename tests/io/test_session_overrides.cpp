@@ -114,7 +114,8 @@ void TestSessionOverrides::badOverrides_data() {
       << "s.json: cameras[1].name: \"c\" is also cameras[0]; every state has a name of its own";
   QTest::newRow("another layout's field") << "lightField.shear=[1,1]"
                                           << "s.json: lightField.shear: is not known here; known "
-                                             "are file, layout, incoming, viewingDistance";
+                                             "are file, layout, incoming, viewingDistance, fps, "
+                                             "frames";
 }
 
 void TestSessionOverrides::badOverrides() {

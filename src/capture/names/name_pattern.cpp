@@ -5,6 +5,7 @@
 #include <cctype>
 
 #include "core/base/error.h"
+#include "core/light_field/frames.h"
 
 namespace hogelscope {
 
@@ -104,7 +105,7 @@ std::string NamePattern::meaning() const {
   std::string numbers;
   std::string coordinates;
   for (const Token& token : tokens) {
-    if (token.kind == Token::Kind::number) numbers += token.letter;
+    if (token.kind == Token::Kind::number && token.letter != 'T') numbers += token.letter;
     if (token.kind == Token::Kind::coordinate) coordinates += token.letter;
   }
   return numbers.empty() ? coordinates : numbers;
@@ -115,6 +116,11 @@ NamePattern namePattern(const std::string& text) {
   checkLength(text, "lightField.pattern");
   NamePattern pattern{{}, text};
   for (std::size_t at = 0; at < text.size();) {
+    if (text.compare(at, frameMark.size(), frameMark) == 0) {
+      pattern.tokens.push_back({Kind::number, 'T'});
+      at += frameMark.size();
+      continue;
+    }
     const char c = text[at];
     const std::size_t run = std::min(text.find_first_not_of(c, at), text.size()) - at;
     const bool isAlone = (at == 0 || !isLetterAt(text, at - 1)) && !isLetterAt(text, at + run);

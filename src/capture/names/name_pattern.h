@@ -13,7 +13,7 @@ namespace hogelscope {
 /// A part of a pattern.
 struct NameToken {
   enum class Kind { letter, number, coordinate, anything, extension } kind;
-  char letter;  ///< the letter itself, or R, C, N, x, y: a number's meaning
+  char letter;  ///< the letter itself, or R, C, N, x, y, T (of the frame): a number's meaning
 };
 
 struct NamePattern {
@@ -21,14 +21,14 @@ struct NamePattern {
   std::string text;  ///< the pattern as written
 
   /// Returns the letters of its numbers: "RC", "CR", "N"; or of its coordinates if it has no
-  /// numbers: "xy", "yx", "x", "y".
+  /// numbers: "xy", "yx", "x", "y". The number of a frame is none of them.
   [[nodiscard]] std::string meaning() const;
 };
 
 /// Reads a pattern: RR, CC, NNN (or one such letter alone) are numbers, x and y alone are
-/// coordinates (but not between digits, as in 64x32), * is any text; an extension such as ".png"
-/// may be left out. Throws InputError if it is too long, or has neither row and column, nor a
-/// running number, nor only coordinates.
+/// coordinates (but not between digits, as in 64x32), {T} is the number of a frame, * is any text;
+/// an extension such as ".png" may be left out. Throws InputError if it is too long, or has neither
+/// row and column, nor a running number, nor only coordinates.
 NamePattern namePattern(const std::string& text);
 
 /// Reads a pattern with printf's %d or %02d: row and column, or one running number. Throws

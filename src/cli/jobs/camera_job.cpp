@@ -38,6 +38,10 @@ void sayWhatWasMade(const CameraSet& set, const Session& before, const Session& 
 /// Says what was guessed of a file, and which size is assumed of cameras that do not say it.
 void sayGuesses(const CameraSet& set, const Session& after) {
   for (const std::string& note : set.notes) printNote(set.traceFile + ": " + note);
+  if (set.keepsTimes)
+    printNote(set.traceFile +
+              ": each sample is a state with a time, since the light field has several frames; "
+              "cameraSet.place is left aside");
   const auto* const file = std::get_if<CalibratedCameras>(&set.source);
   if (file == nullptr) return;
   const std::size_t first = after.cameras.size() - file->cameras.size();
@@ -52,7 +56,8 @@ void sayGuesses(const CameraSet& set, const Session& after) {
 int runMakeCameras(const CommandLine& line) {
   const Session session = loadSelected(line);
   const std::string camera = line.has("calibration") ? "" : line.text("camera");
-  const CameraSet set = loadCameraSet(line.subject, line.jobOverrides, camera);
+  CameraSet set = loadCameraSet(line.subject, line.jobOverrides, camera);
+  set.keepsTimes = std::holds_alternative<Trace>(set.source) && isInTime(session);
   if (!camera.empty() && !std::holds_alternative<CalibratedCameras>(set.source))
     throw InputError("--camera " + camera, line.subject + " is no file of cameras");
   const Session result = withCameras(session, set);

@@ -24,6 +24,7 @@
 #include "io/opening/light_field_order.h"
 #include "io/opening/opening.h"
 #include "io/scene/live_file.h"
+#include "io/scene/numbered_frames.h"
 #include "io/store/light_field_store.h"
 
 namespace hogelscope {
@@ -203,7 +204,7 @@ void printSession(std::ostream& out, const Session& session) {
   if (session.lightField.isLive()) printLive(out, session);
   printSize(out, session);
   for (const CameraState& state : session.cameras) {
-    const auto& [name, eye, lookat, up, fov, res, weight] = state.camera;
+    const auto& [name, eye, lookat, up, fov, res, weight, time] = state.camera;
     out << "state       " << name << ": eye (" << numberText(eye.x) << ", " << numberText(eye.y)
         << ", " << numberText(eye.z) << ") m, fov " << numberText(fov) << "°, " << res[0] << "×"
         << res[1] << " px, psf sigma " << numberText(state.psf.sigma) << " in "
@@ -266,14 +267,34 @@ void printOrder(std::ostream& out, const OrderedSession& subject, const AssumedO
   out << "\n";
 }
 
+/// Prints the frames of a light field in time, their rate and how long they last.
+void printFrames(std::ostream& out, const Session& session) {
+  if (session.lightField.isLive()) return;
+  const auto file = openLightField(session.lightField, session.display);
+  const auto [first, last, step] = file->frames();
+  const std::size_t count = file->frames().count();
+  if (count == 1) return;
+  out << "frames      " << count << ": " << first << " … " << last
+      << (step > 1 ? ", every " + std::to_string(step) : "");
+  if (const double rate = frameRateOf(session.lightField, *file); rate > 0)
+    out << "; " << numberText(std::round(rate * 1000) / 1000) << " a second, "
+        << rounded(double(last - first + step) / rate, 2) << " s";
+  else
+    out << "; lightField.fps says how many a second";
+  out << "\n";
+}
+
 void printWords(std::ostream& out, bool isDocument, const OrderedSession& subject,
                 const AssumedOrder& assumed) {
   if (isDocument) {
     printSession(out, subject.session);
   } else {
     constexpr std::array printers{printImage, printViews, printStore, printMesh};  // as Holder
-    printers[std::size_t(typeOf(assumed.used.layout).holder)](out, subject.session);
+    Session still = subject.session;
+    still.lightField = firstStillOf(still.lightField);
+    printers[std::size_t(typeOf(assumed.used.layout).holder)](out, still);
   }
+  if (isWhole(subject.session)) printFrames(out, subject.session);
   if (!subject.assumed.empty())
     out << "assumed     " << subject.assumed << ": " << nameOf(subject.hogels) << "\n";
   if (assumed.lenslets) printLenslets(out, *assumed.lenslets);

@@ -43,6 +43,7 @@ struct CameraPose {
   Vec3 eye;
   Vec3 lookat;
   double weight = 1;
+  double time = notGiven;  ///< seconds, of a trace in front of a light field in time
 };
 
 /// The size of a grid: `columns` along x or the angle, `rows` along y or the

@@ -105,6 +105,7 @@ std::vector<CameraPose> Maker::operator()(const Trace& trace) {
     Vec3 sum;
     int samples = 0;
   };
+  std::vector<CameraPose> timed;
   std::vector<Place> places;
   std::map<std::array<double, 3>, std::size_t> known;
   std::size_t to = 1;
@@ -115,6 +116,11 @@ std::vector<CameraPose> Maker::operator()(const Trace& trace) {
     const Trace::Point& b = trace.points[to];
     const double share = trace.holds ? 0 : (time - a.time) / (b.time - a.time);
     const Vec3 eye = between(a.eye, b.eye, share);
+    if (set.keepsTimes) {
+      timed.push_back(pose(eye));
+      timed.back().time = time;
+      continue;
+    }
     const Vec3 cell = (1 / set.params.place) * eye;
     const auto [found, isNew] = known.try_emplace(
         {std::round(cell.x), std::round(cell.y), std::round(cell.z)}, places.size());
@@ -123,6 +129,7 @@ std::vector<CameraPose> Maker::operator()(const Trace& trace) {
     place.sum = place.sum + eye;
     ++place.samples;
   }
+  if (set.keepsTimes) return timed;
   std::vector<CameraPose> poses;
   poses.reserve(places.size());
   for (const Place& place : places)
@@ -279,6 +286,7 @@ Session withCameras(const Session& session, const CameraSet& set) {
     state.camera.lookat = rounded(world.point(poses[k].lookat));
     state.camera.up = rounded(world.yAxis);
     state.camera.weight = poses[k].weight;
+    if (poses[k].time != notGiven) state.camera.time = poses[k].time;
     checkReach(state.camera.eye, state.camera.name, "eye");
     checkReach(state.camera.lookat, state.camera.name, "lookat");
     check(state, k == 0 ? "cameraSet" : state.camera.name);

@@ -94,6 +94,8 @@ struct CameraSet {
   std::variant<std::monostate, Mixture, PoseList, PosePath, Trace, CalibratedCameras> source;
   std::string traceFile = {};           ///< that the Trace, or the cameras, were read from
   std::vector<std::string> notes = {};  ///< what was guessed of it, and what is left aside
+  /// Each sample of a trace is a state with its time, wherever it is: for a light field in time.
+  bool keepsTimes = false;
 };
 
 /// Returns the poses in the display frame, but none of a file's cameras, which are statesOf();

@@ -20,6 +20,11 @@ LightField::Texels blackTexels(std::size_t count, StoredType type) {
 
 }  // namespace
 
+bool isNumbered(const LightFieldParams& params) {
+  return params.file.find(frameMark) != std::string::npos ||
+         params.pattern.find(frameMark) != std::string::npos;
+}
+
 std::string contentName(const LightFieldParams& params) {
   if (!params.isLive()) return params.file;
   const auto* file = params.content.find<std::string>("file");

@@ -18,6 +18,7 @@
 #include "core/base/huge_pages.h"
 #include "core/base/parameters.h"
 #include "core/light_field/block_layout.h"
+#include "core/light_field/frames.h"
 #include "core/light_field/layout_params.h"
 #include "core/light_field/light_field_source.h"
 #include "core/light_field/sheet_calibration.h"
@@ -59,7 +60,9 @@ struct LightFieldParams {
   LiveParams live;        ///< of any source
   /// The lens sheet for which views are woven; none: the display's own.
   std::optional<SheetCalibration> calibration;
-  std::string calibrationFile;  ///< the document that names it; "": none
+  std::string calibrationFile;         ///< the document that names it; "": none
+  std::optional<FrameNumbers> frames;  ///< none: all that there are
+  double fps = notGiven;               ///< frames of the source shown in a second
   [[nodiscard]] bool isLive() const { return layout == Layout::live; }
   bool operator==(const LightFieldParams&) const = default;
 };
@@ -68,6 +71,9 @@ struct LightFieldParams {
 constexpr bool isGridOfViews(Layout layout) {
   return layout == Layout::views || layout == Layout::mosaic;
 }
+
+/// Whether the names of its files have the number of a frame, {T}.
+bool isNumbered(const LightFieldParams& params);
 
 /// Returns what messages call it: its file, that of a live scene, or else the scene's source.
 std::string contentName(const LightFieldParams& params);

@@ -66,7 +66,7 @@ CameraParams shifted(CameraParams camera, const Vec3& by) {
 }  // namespace
 
 void describe(ParameterVisitor& v, CameraParams& p) {
-  auto& [name, eye, lookat, up, fov, res, weight] = p;
+  auto& [name, eye, lookat, up, fov, res, weight, time] = p;
   v.group("camera", "A camera state: where it stands, where it looks, what it takes.");
   v.field("name", name, "Names the state and its picture's file.");
   v.field("eye", eye, {-1e6, 1e6, 0.01}, "m", "The pinhole, in the world.");
@@ -77,6 +77,11 @@ void describe(ParameterVisitor& v, CameraParams& p) {
           "Vertical field of view; not used where intrinsics are given.");
   v.field({"res", "Resolution"}, res, {1, 16384, 1}, "px", "Width and height of the picture.");
   v.field("weight", weight, {0, 1e6, 0.1}, "", "How much the state counts in weighted means.");
+  v.count(time != notGiven);
+  v.field("time", time, {0, 1e6, 0.1, true, 0, 60}, "s",
+          "When the state looks at a light field in time, from its first frame on; not given: at "
+          "every frame.");
+  v.count(true);
 }
 
 void describe(ParameterVisitor& v, IntrinsicsParams& p) {

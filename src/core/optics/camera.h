@@ -20,6 +20,7 @@ struct CameraParams {
   double fov = 60;
   std::array<int, 2> res{600, 600};
   double weight = 1;
+  double time = notGiven;  ///< seconds from the first frame of a light field in time
   bool operator==(const CameraParams&) const = default;
 };
 

@@ -6,6 +6,7 @@
 #include "gui/widgets/guarded.h"
 #include "gui/widgets/parameter_form.h"
 #include "io/documents/camera_set_file.h"
+#include "io/scene/view_source.h"
 #include "ui_camera_set_widget.h"
 
 namespace hogelscope {
@@ -125,7 +126,8 @@ bool CameraSetWidget::add(const std::function<CameraSet()>& set) {
   std::vector<std::string> notes;
   const bool isAdded = guarded(this, [&] {
     m_model->changeStates(tr("Add camera set"), [&](Session& session) {
-      const CameraSet added = set();
+      CameraSet added = set();
+      added.keepsTimes = std::holds_alternative<Trace>(added.source) && isInTime(session);
       notes = added.notes;
       const std::size_t first = session.cameras.size() - (added.params.keepTemplate ? 0 : 1);
       session = withCameras(session, added);

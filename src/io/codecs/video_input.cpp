@@ -61,6 +61,9 @@ class VideoInput : public ImageInput {
         {m_picture.width(), m_picture.height(), m_picture.hasAlpha() ? 4 : 3,
          bits > 8 ? StoredType::uint16 : StoredType::uint8, bits, m_decoder.frames()},
         std::string(avcodec_get_name(stream.codecpar->codec_id)) + " video, " + m_picture.words()};
+    m_facts.isVideo = true;
+    if (const AVRational rate = stream.avg_frame_rate; rate.num > 0 && rate.den > 0)
+      m_facts.rate = av_q2d(rate);
     m_facts.notes = m_decoder.notes();
     std::ranges::copy(m_picture.notes(), std::back_inserter(m_facts.notes));
     m_facts.bandRows = bandRowsOf(m_facts.width);

@@ -70,12 +70,14 @@ void describeLenslets(ParameterVisitor& v, LensletParams& p) {
 void describe(ParameterVisitor& v, LightFieldParams& p) {
   auto& [file, layout, incoming, rows, columns, pattern, exclude, scan, shear, viewingDistance,
          quiltColumns, quiltRows, quiltStart, lenslets, yuv, source, type, content, live,
-         calibration, calibrationFile] = p;
+         calibration, calibrationFile, frames, fps] = p;
   v.group("lightField", "The display's content: a file and how it is laid out.");
   if (!p.isLive())
-    v.field("file", file,
-            "Image (hogels, quilt, mosaic, lenslets, woven); folder or %-pattern of images, video, "
-            "TIFF of several pages or HDF5 file (views); store (pack); relative to the session.");
+    v.field(
+        "file", file,
+        "Image (hogels, quilt, mosaic, lenslets, woven); folder or %-pattern of images, video, "
+        "TIFF of several pages or HDF5 file (views); store (pack); relative to the session. {T} "
+        "stands for the number of a frame.");
   v.field("layout", layout, layoutNames,
           "One image of hogel tiles, a folder of views (sub-aperture images), a quilt of views, a "
           "mosaic of views from several rows of cameras, a picture taken through lenslets, a store "
@@ -91,8 +93,8 @@ void describe(ParameterVisitor& v, LightFieldParams& p) {
   if (layout == Layout::views) {
     v.field("pattern", pattern,
             "Names the numbers in the file names: RR row, CC column, NNN running number, x and y "
-            "a coordinate, * anything. Empty: the known ones are tried, then the largest series of "
-            "pictures.");
+            "a coordinate, {T} the number of a frame, * anything. Empty: the known ones are tried, "
+            "then the largest series of pictures.");
     v.field("exclude", exclude,
             "File names that are not views, with the shell's wildcards * ? [ ], and ; between "
             "them: *_thumb.png;input_Cam040.png.");
@@ -133,6 +135,11 @@ void describe(ParameterVisitor& v, LightFieldParams& p) {
   }
   if (layout == Layout::lenslets) describeLenslets(v, lenslets);
   if (isYuv(p)) describeYuv(v, yuv);
+  v.count(frames || fps != notGiven || isNumbered(p));
+  v.field({"fps", "Frame rate"}, fps, {0.01, 1000, 1, true, 1, 120}, "frames/s",
+          "Frames of a light field in time that are shown in a second; not given: those of its "
+          "video.");
+  v.count(true);
 }
 
 std::string_view nameOf(Layout layout) {

@@ -9,7 +9,7 @@ namespace hogelscope {
 std::string rigText(const std::vector<RigCamera>& rig) {
   Json cameras = Json::array();
   for (const auto& [u, v, state] : rig) {
-    const auto& [name, eye, lookat, up, fov, res, weight] = state.camera;
+    const auto& [name, eye, lookat, up, fov, res, weight, time] = state.camera;
     const auto& [fx, fy, cx, cy] = state.intrinsics;
     cameras.push_back({{"name", name},
                        {"u", u},

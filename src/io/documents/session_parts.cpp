@@ -41,6 +41,25 @@ std::string wantedVersion() {
   return "\"hogelscope\": " + std::to_string(documentVersion);
 }
 
+/// Reads [first, last] or [first, last, step].
+FrameNumbers readFrames(const Json& list, const std::string& path) {
+  const bool isList = list.is_array() && (list.size() == 2 || list.size() == 3);
+  if (!isList)
+    throw InputError(path, valueText(list) + " is not [first, last] or [first, last, step]");
+  const int first = readIndex(list[0], path + "[0]");
+  const int last = readIndex(list[1], path + "[1]");
+  const int step = list.size() > 2 ? readIndex(list[2], path + "[2]") : 1;
+  if (last < first || step < 1)
+    throw InputError(path,
+                     valueText(list) + " has no frame: give first ≤ last and a step of 1 or more");
+  return framesBetween(first, last, step);
+}
+
+Json written(const FrameNumbers& frames) {
+  const auto [first, last, step] = frames;
+  return step == 1 ? Json{first, last} : Json{first, last, step};
+}
+
 std::vector<std::string> readNames(const Json& list, const std::string& path) {
   const char* const wanted = "is not a list of plugins' names: [\"ms-ssim\"]";
   if (!list.is_array()) throw InputError(path, wanted);
@@ -56,6 +75,10 @@ std::vector<std::string> readNames(const Json& list, const std::string& path) {
 /// light field's own.
 void describeParts(SectionVisitor& v, LightFieldParams& params, const DisplayParams& display) {
   v.fields(params);
+  v.value(
+      "frames", params.frames.has_value(),
+      [&](const Json& list, const std::string& path) { params.frames = readFrames(list, path); },
+      [&] { return written(*params.frames); });
   for (std::string* const file : {&params.file, &params.lenslets.white, &params.lenslets.dark})
     v.file(*file);
   if (!display.sheet && !params.calibration) {

@@ -40,6 +40,8 @@ struct ImageNumbers {
   int orientation = 1;
   /// Pictures in the file, where read() has them all as one or leaves some out; 0: more than one.
   std::size_t pictures = 1;
+  bool isVideo = false;  ///< whether the frames follow each other in time
+  double rate = 0;       ///< frames of a video shown in a second; 0: unknown
 };
 
 /// Returns the rows of about a million pixels, in whole tiles.

@@ -94,7 +94,7 @@ std::vector<std::string> ImageFile::notes() {
 
 std::vector<std::string> ImageFile::notesOfOne() {
   std::vector<std::string> lines = notes();
-  if (frames() > 1)
+  if (frames() > 1 && !isVideo())
     lines.push_back(
         "has " + std::to_string(frames()) +
         " pictures, of which one is read; the file by itself, as layout \"views\", has all");

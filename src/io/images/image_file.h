@@ -29,12 +29,16 @@ class ImageFile {
   [[nodiscard]] int bits() const { return m_input->facts().bits; }
   [[nodiscard]] std::string format() const { return m_input->facts().format; }
   [[nodiscard]] std::size_t frames() const { return m_input->facts().frames; }
+  [[nodiscard]] bool isVideo() const { return m_input->facts().isVideo; }
+  /// Returns the frames of a video that are shown in a second; 0 if it does not say it.
+  [[nodiscard]] double rate() const { return m_input->facts().rate; }
   /// Returns the frames in a row of the grid that they are; 0 if the file does not say it.
   [[nodiscard]] std::size_t columns() const { return m_input->facts().columns; }
   /// Returns sentences without subject on what is assumed of the file, on what of it is not read if
   /// all frames are, and on values that are no light of 0 … 1. Of floats it reads some.
   [[nodiscard]] std::vector<std::string> notes();
-  /// Returns notes() of a file of which only the selected frame is read.
+  /// Returns notes() of a file of which only the selected frame is read, or, of a video, one at a
+  /// time.
   [[nodiscard]] std::vector<std::string> notesOfOne();
   /// Selects the frame that read() reads; initially 0.
   void select(std::size_t frame) { m_frame = frame; }

@@ -105,13 +105,17 @@ std::uint64_t picturesIn(int file) {
 
 }  // namespace
 
+bool isVideoName(const std::filesystem::path& file) {
+  return file.extension() == ".mp4";
+}
+
 VideoWriter::VideoWriter(const std::filesystem::path& file, const std::array<int, 2>& size,
                          double picturesPerSecond, const std::string& ffmpeg)
     : m_path(file),
       m_file(file),
       m_messages(::memfd_create("ffmpeg", MFD_CLOEXEC)),
       m_pictures(-1) {
-  if (file.extension() != ".mp4")
+  if (!isVideoName(file))
     throw InputError(file.string(), "cannot be written", "the name of a video ends in .mp4");
   std::array<int, 2> ends{};  // a socket: writing to a closed pipe would be a signal
   if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0)

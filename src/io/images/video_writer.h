@@ -12,6 +12,9 @@
 
 namespace hogelscope {
 
+/// Whether a name is that of a video that can be written: it ends in .mp4.
+bool isVideoName(const std::filesystem::path& file);
+
 /// Writes a video, completely or not at all: H.264 (or ffmpeg's default for MP4) in pixels that all
 /// players know; odd sides get a black row or column. All functions throw InputError.
 class VideoWriter {

@@ -131,6 +131,7 @@ class YuvInput : public RowInput {
                 params.bits > 8 ? StoredType::uint16 : StoredType::uint8, params.bits,
                 std::size_t(m_file.size() / needed)},
                isNamed ? "yuv by its name" : "yuv"};
+    m_facts.isVideo = true;
     if (m_file.size() > 0 && m_file.size() % needed == 0) return;
     throw InputError(file.string(), "size",
                      "is " + std::to_string(m_file.size()) + " bytes, but one picture of " +

@@ -26,6 +26,7 @@ class HogelImage : public PictureFiles {
   HogelImage(const LightFieldParams& params, const DisplayParams& display)
       : PictureFiles(params), m_image(params.file, params.yuv) {
     takeTypeOf(m_image);
+    takeFramesOf(m_image);
     warnOf("the picture", m_image.notesOfOne());
     m_size = {display.hogels[0], display.hogels[1], display.directions[0], display.directions[1]};
     if (display.sheet) {
@@ -47,6 +48,7 @@ class HogelImage : public PictureFiles {
 
   [[nodiscard]] LightField read(const Progress& progress) override {
     LightField lightField = blank(m_size.ny);
+    m_image.select(frame());
     const auto target = [this](int x, int y) {
       return std::optional(TexelIndex{x / m_size.du, y / m_size.dv, x % m_size.du, y % m_size.dv});
     };
@@ -63,6 +65,7 @@ class HogelImage : public PictureFiles {
       };
       std::visit(handRows, values);
     };
+    m_image.select(frame());
     m_image.read(type(), hand, progress);
   }
 

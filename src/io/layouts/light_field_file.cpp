@@ -21,6 +21,22 @@ std::shared_ptr<const LightFieldSource> LightFieldFile::source(const SourceUse& 
   return std::make_shared<const LightField>(read(progress));
 }
 
+FrameNumbers listedFrames(const LightFieldParams& params, const FrameNumbers& all) {
+  if (!params.frames) return all;
+  for (const int frame : {params.frames->first, params.frames->last})
+    if (!all.has(frame))
+      throw InputError(contentName(params), "lightField.frames",
+                       "lists frame " + std::to_string(frame) + ", but " +
+                           (all.isStill() ? "there is one frame, " + std::to_string(all.first)
+                                          : "there are frames " + std::to_string(all.first) +
+                                                " … " + std::to_string(all.last)));
+  return *params.frames;
+}
+
+double frameRateOf(const LightFieldParams& params, const LightFieldFile& file) {
+  return params.fps != notGiven ? params.fps : file.frameRate();
+}
+
 bool fitsInMemory(const LightFieldFile& file, std::size_t memory) {
   try {
     return LightField::bytes(file.size(), file.type()) <= memory;

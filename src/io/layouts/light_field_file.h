@@ -43,6 +43,14 @@ class LightFieldFile {
   [[nodiscard]] virtual std::string cutWarning(const CameraState& /*state*/) const { return {}; }
   /// Returns the hash of the content (io/files/content_hash.h) that the files contain, or "".
   [[nodiscard]] virtual std::string contentHash() const { return {}; }
+  /// Returns the frames by their numbers: those of LightFieldParams::frames, otherwise all.
+  [[nodiscard]] virtual FrameNumbers frames() const { return {}; }
+  /// Returns how many frames files() have, of which frames() may be some.
+  [[nodiscard]] virtual std::size_t framesInFiles() const { return frames().count(); }
+  /// Returns the frames that are shown in a second; 0 if it is not known.
+  [[nodiscard]] virtual double frameRate() const { return 0; }
+  /// Selects the frame that is read from now on; until then it is the first one. Throws InputError.
+  virtual void select(int /*frame*/) {}
   /// Reads the light field into memory. Throws InputError, or Cancelled.
   [[nodiscard]] virtual LightField read(const Progress& progress) = 0;
 
@@ -80,6 +88,10 @@ class WrappedFile : public LightFieldFile {
   [[nodiscard]] std::string cutWarning(const CameraState& state) const override {
     return m_content->cutWarning(state);
   }
+  [[nodiscard]] FrameNumbers frames() const override { return m_content->frames(); }
+  [[nodiscard]] std::size_t framesInFiles() const override { return m_content->framesInFiles(); }
+  [[nodiscard]] double frameRate() const override { return m_content->frameRate(); }
+  void select(int frame) override { m_content->select(frame); }
   /// Reads the light field by stream().
   [[nodiscard]] LightField read(const Progress& progress) override {
     return readStreamed(files().empty() ? "" : files().front(), "", progress);
@@ -91,6 +103,14 @@ class WrappedFile : public LightFieldFile {
  private:
   std::shared_ptr<LightFieldFile> m_content;
 };
+
+/// Returns the frames that a session lists, checked against those that there are; these if it lists
+/// none. Throws InputError that names the file.
+FrameNumbers listedFrames(const LightFieldParams& params, const FrameNumbers& all);
+
+/// Returns the frames that are shown in a second: a session's, otherwise those that the file says;
+/// 0 if it is not known.
+double frameRateOf(const LightFieldParams& params, const LightFieldFile& file);
 
 /// Whether the whole light field takes at most `memory` bytes.
 bool fitsInMemory(const LightFieldFile& file, std::size_t memory);

@@ -25,6 +25,10 @@ class PictureFiles : public LightFieldFile {
     return {m_params.file};
   }
   [[nodiscard]] std::string format() const override { return m_format; }
+  [[nodiscard]] FrameNumbers frames() const override { return m_frames; }
+  [[nodiscard]] std::size_t framesInFiles() const override { return m_framesInFiles; }
+  [[nodiscard]] double frameRate() const override { return m_rate; }
+  void select(int frame) override { m_frame = frame; }
 
  protected:
   /// Gives texels the type, bits and format of an image.
@@ -33,6 +37,15 @@ class PictureFiles : public LightFieldFile {
     m_bits = image.bits();
     m_format = image.format();
   }
+  /// Takes the frames of a video, each of which is a light field or a view of one.
+  void takeFramesOf(const ImageFile& image) {
+    if (!image.isVideo()) return;
+    m_frames = listedFrames(m_params, {0, int(image.frames()) - 1, 1});
+    m_framesInFiles = image.frames();
+    m_rate = image.rate();
+    m_frame = m_frames.first;
+  }
+  [[nodiscard]] std::size_t frame() const { return std::size_t(m_frame); }
   /// Adds warnings from sentences whose subject is missing.
   void warnOf(const std::string& subject, const std::vector<std::string>& notes) {
     for (const std::string& note : notes)
@@ -50,6 +63,10 @@ class PictureFiles : public LightFieldFile {
   StoredType m_type{};
   int m_bits = 8;
   std::string m_format;
+  FrameNumbers m_frames;
+  std::size_t m_framesInFiles = 1;
+  int m_frame = 0;
+  double m_rate = 0;
 };
 
 /// Images each of which has a part of every row of hogels: if memory is too small for all, they are

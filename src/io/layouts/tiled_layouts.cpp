@@ -28,6 +28,7 @@ class TiledImage : public ScatteredFile {
         m_rows(tiles[1]),
         m_isQuilt(isQuilt) {
     takeTypeOf(m_image);
+    takeFramesOf(m_image);
     warnOf("the picture", m_image.notesOfOne());
     const auto [across, down] = tiles;
     const auto width = int(m_image.width()), height = int(m_image.height());
@@ -65,6 +66,7 @@ class TiledImage : public ScatteredFile {
       tile = own;
       return (*place)(x % m_size.nx, (y - m_top) % m_size.ny);
     };
+    m_image.select(frame());
     readTexels(m_image, band, m_params.incoming, target, progress);
   }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Layout "views": images of one direction of all hogels, in a folder or as the frames of a file.
 #include <algorithm>
+#include <cmath>
 #include <string_view>
 
 #include "capture/names/view_grid.h"
@@ -26,6 +27,8 @@ class ViewsFolder : public ScatteredFile {
       : ScatteredFile(params), m_views(findViews(params, display.directions)) {
     ImageFile first(m_views.found().front(), params.yuv);
     takeTypeOf(first);
+    takeFramesOf(first);
+    if (!frames().isStill()) m_videos.resize(m_views.files.size());
     m_size = {int(first.width()), int(first.height()), m_views.columns, m_views.rows};
     if (!m_views.missing.empty()) m_warnings.push_back(m_views.missing);
     warnOf("the first view, " + first.file().filename().string() + ",", first.notesOfOne());
@@ -46,8 +49,31 @@ class ViewsFolder : public ScatteredFile {
     });
   }
 
-  void readInto(std::size_t k, int begin, LightField& band, const Progress& progress) const {
-    ImageFile image(m_views.files[k], m_params.yuv);
+  void readInto(std::size_t k, int begin, LightField& band, const Progress& progress) {
+    if (m_videos.empty()) {
+      ImageFile image(m_views.files[k], m_params.yuv);
+      return readImage(image, k, begin, band, progress);
+    }
+    if (!m_videos[k]) m_videos[k] = std::make_unique<ImageFile>(m_views.files[k], m_params.yuv);
+    requireSameFrames(*m_videos[k]);
+    m_videos[k]->select(frame());
+    readImage(*m_videos[k], k, begin, band, progress);
+  }
+
+  /// Throws InputError unless a video has the frames and the rate of the first view.
+  void requireSameFrames(const ImageFile& video) const {
+    if (video.frames() != framesInFiles())
+      throw InputError(video.file().string(), "frames",
+                       "are " + std::to_string(video.frames()) + ", but the first view has " +
+                           std::to_string(framesInFiles()));
+    if (std::abs(video.rate() - frameRate()) > 1e-3 * frameRate())
+      throw InputError(video.file().string(), "frames",
+                       "are " + numberText(video.rate()) +
+                           " a second, but those of the first view " + numberText(frameRate()));
+  }
+
+  void readImage(ImageFile& image, std::size_t k, int begin, LightField& band,
+                 const Progress& progress) const {
     if (image.width() != std::size_t(m_size.nx) || image.height() != std::size_t(m_size.ny))
       throw InputError(image.file().string(), "size",
                        "is " + pairText(image.width(), image.height()) +
@@ -60,6 +86,8 @@ class ViewsFolder : public ScatteredFile {
   }
 
   ViewFiles m_views;
+  /// The views' videos, which stay open for their next frames; empty if the views are pictures.
+  std::vector<std::unique_ptr<ImageFile>> m_videos;
 };
 
 /// Whether the content or the name is a video's: a damaged one is still a video.
@@ -82,7 +110,7 @@ class ViewSequence : public ScatteredFile {
     if (const auto [across, down] = quiltNameOf(m_params.file).tiles; across > 0)
       m_warnings.push_back("the name says that each frame is a quilt of " + pairText(across, down) +
                            " views, but each is read as one view; lightField.layout=quilt reads "
-                           "the first one as a quilt");
+                           "them as quilts");
   }
 
  private:

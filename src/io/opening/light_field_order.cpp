@@ -10,6 +10,7 @@
 #include "capture/names/view_grid.h"
 #include "core/base/text.h"
 #include "io/opening/grey_views.h"
+#include "io/scene/numbered_frames.h"
 
 namespace hogelscope {
 
@@ -449,6 +450,15 @@ bool hasMiddleMotion(const ViewOrder& measured) {
 LightFieldOrder findLightFieldOrder(const LightFieldParams& params, const DisplayParams& display,
                                     const Progress& progress,
                                     const std::optional<CameraOrder>& cameras) {
+  if (isNumbered(params)) {  // the views of all frames are in one order
+    const LightFieldParams still = firstStillOf(params);
+    LightFieldOrder order = findLightFieldOrder(still, display, progress, cameras);
+    order.found.file = params.file;
+    if (!params.pattern.empty()) order.found.pattern = params.pattern;
+    order.found.frames = params.frames;
+    order.found.fps = params.fps;
+    return order;
+  }
   LightFieldOrder order;
   order.found = params;
   if (params.isLive()) {

@@ -13,8 +13,10 @@
 #include "io/documents/sheet_file.h"
 #include "io/files/folders.h"
 #include "io/opening/capture_geometry.h"
+#include "io/opening/frame_folders.h"
 #include "io/opening/view_cameras.h"
 #include "io/scene/live_file.h"
+#include "io/scene/numbered_frames.h"
 #include "io/scene/view_source.h"
 #include "io/store/light_field_store.h"
 
@@ -329,11 +331,22 @@ bool takeGeometry(OrderedSession& result, const DisplayParams& given,
   return true;
 }
 
-}  // namespace
+/// Returns what the overrides say of the names of frames, and leaves the others there.
+LightFieldParams takeFrameNames(std::vector<std::string>& overrides, const std::string& file) {
+  constexpr std::string_view ofPattern = "lightField.pattern=";
+  LightFieldParams params;
+  params.file = file;
+  std::erase_if(overrides, [&](const std::string& text) {
+    if (text.starts_with(ofPattern)) params.pattern = text.substr(ofPattern.size());
+    return text.starts_with(ofPattern) || text.starts_with("lightField.frames=") ||
+           text.starts_with("lightField.fps=");
+  });
+  return params;
+}
 
-OrderedSession orderedSessionAround(const std::string& file,
-                                    const std::vector<std::string>& overrides,
-                                    const Progress& progress) {
+OrderedSession sessionAroundStill(const std::string& file,
+                                  const std::vector<std::string>& overrides,
+                                  const Progress& progress) {
   OrderedSession result;
   Session& session = result.session;
   session.lightField = lightFieldOf(file);
@@ -386,6 +399,34 @@ OrderedSession orderedSessionAround(const std::string& file,
   return result;
 }
 
+}  // namespace
+
+OrderedSession orderedSessionAround(const std::string& file,
+                                    const std::vector<std::string>& overrides,
+                                    const Progress& progress) {
+  std::vector<std::string> ofStill = overrides;
+  LightFieldParams names = takeFrameNames(ofStill, file);
+  std::optional<FoundFrames> found;
+  if (!isNumbered(names) && names.pattern.empty()) found = framesInFolder(file, progress);
+  if (found) names.file = found->file;
+  if (!isNumbered(names)) return sessionAroundStill(file, overrides, progress);
+  const LightFieldParams still = firstStillOf(names);
+  if (!still.pattern.empty()) ofStill.push_back("lightField.pattern=" + still.pattern);
+  OrderedSession result = sessionAroundStill(still.file, ofStill, progress);
+  for (LightFieldParams* const params : {&result.session.lightField, &result.order.found}) {
+    params->file = names.file;
+    if (!names.pattern.empty()) params->pattern = names.pattern;
+  }
+  if (found) {
+    result.assumed = (result.assumed.empty() ? "" : result.assumed + "; ") +
+                     "frames, one in each folder " +
+                     std::filesystem::path(found->file).filename().string();
+    result.hogels = found->sureness;
+  }
+  result.session = overridden(result.session, overrides);
+  return result;
+}
+
 OrderedSession withViews(const Session& session, const LightFieldParams& views,
                          const Progress& progress) {
   OrderedSession result;
@@ -410,7 +451,7 @@ void addFileWarnings(std::vector<std::string>& warnings, const LightFieldParams&
     if (type.holder == Holder::views || type.isOfTiles)
       return addWarnings(warnings, *openLightField(params, display));
     if (type.holder != Holder::picture) return;
-    for (const std::string& note : ImageFile(params.file, params.yuv).notesOfOne())
+    for (const std::string& note : ImageFile(firstStillOf(params).file, params.yuv).notesOfOne())
       warnings.push_back("the picture " + note);
   } catch (const InputError&) {
   }

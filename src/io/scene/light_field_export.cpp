@@ -22,11 +22,26 @@ namespace fs = std::filesystem;
 
 namespace {
 
+/// The rows of a picture in memory, rounded to 8 bits.
+class RowsInMemory {
+ public:
+  explicit RowsInMemory(ExportedPicture& picture) : m_picture(picture) {}
+
+  template <class T>
+  void write(const T* rgb) {
+    for (int k = 0; k < 3 * m_picture.width; ++k)
+      m_picture.rgb.push_back(quantised(codeValue(rgb[k])));
+  }
+
+ private:
+  ExportedPicture& m_picture;
+};
+
 /// Writes rows in order that arrive in any order.
-template <class T>
+template <class T, class Writer>
 class RowsInOrder {
  public:
-  explicit RowsInOrder(ImageRowWriter& writer) : m_writer(writer) {}
+  explicit RowsInOrder(Writer& writer) : m_writer(writer) {}
 
   void add(std::size_t y, const T* rgb, std::size_t count) {
     if (y != m_next) {
@@ -42,7 +57,7 @@ class RowsInOrder {
   }
 
  private:
-  ImageRowWriter& m_writer;
+  Writer& m_writer;
   std::size_t m_next = 0;
   std::map<std::size_t, std::vector<T>> m_waiting;
 };
@@ -96,18 +111,27 @@ struct FirstView {
   int v = 0;
 };
 
-/// Writes `tiles` of views; `firstOf` returns the first view of a row of them, counted from the
-/// top.
-template <class FirstOf>
-void exportTiles(LightFieldFile& lightField, const std::array<int, 2>& tiles, FirstOf firstOf,
-                 const fs::path& file, const Progress& progress) {
+/// Tiles of views, across and down. Those of a quilt are one row of views, which begins at the
+/// bottom left.
+struct Tiles {
+  int columns = 1;
+  int rows = 1;
+  bool isQuilt = false;
+
+  /// Returns the first view of a row of tiles, counted from the top.
+  [[nodiscard]] FirstView firstOf(int row) const {
+    return isQuilt ? FirstView{(rows - 1 - row) * columns, 0} : FirstView{0, row};
+  }
+};
+
+template <class Writer>
+void writeTiles(LightFieldFile& lightField, const Tiles& tiles, Writer& writer,
+                const Progress& progress) {
   const LightFieldSize size = lightField.size();
-  const int columns = tiles[0], rows = tiles[1];
-  ImageRowWriter writer(file, std::size_t(columns) * std::size_t(size.nx),
-                        std::size_t(rows) * std::size_t(size.ny), lightField.type());
+  const int columns = tiles.columns, rows = tiles.rows;
   const auto source = lightField.source({.memory = allowedMemory() / 2}, part(progress, 0, 0.2));
   for (int row = 0; row < rows; ++row) {
-    const FirstView first = firstOf(row);
+    const FirstView first = tiles.firstOf(row);
     const auto at = [&](int k) { return 0.2 + 0.8 * double(row + k) / rows; };
     const auto texels = source->slice(
         readsOfRows(size, {0, size.ny - 1}, {first.u, first.u + columns - 1}, {first.v, first.v}),
@@ -121,6 +145,29 @@ void exportTiles(LightFieldFile& lightField, const std::array<int, 2>& tiles, Fi
       }
     });
   }
+}
+
+template <class Writer>
+void writeHogels(LightFieldFile& lightField, Writer& writer, const Progress& progress) {
+  const LightFieldSize size = lightField.size();
+  withStoredType(lightField.type(), [&]<class T>(T) {
+    RowsInOrder<T, Writer> rows(writer);
+    lightField.stream(
+        [&](int j, int v, const StoredRows& rgb) {
+          rows.add(std::size_t(j) * std::size_t(size.dv) + std::size_t(v), std::get<const T*>(rgb),
+                   3 * size.width());
+        },
+        progress);
+  });
+}
+
+/// Writes a file of tiles.
+void exportTiles(LightFieldFile& lightField, const Tiles& tiles, const fs::path& file,
+                 const Progress& progress) {
+  const LightFieldSize size = lightField.size();
+  ImageRowWriter writer(file, std::size_t(tiles.columns) * std::size_t(size.nx),
+                        std::size_t(tiles.rows) * std::size_t(size.ny), lightField.type());
+  writeTiles(lightField, tiles, writer, progress);
   writer.finish();
 }
 
@@ -129,15 +176,7 @@ void exportTiles(LightFieldFile& lightField, const std::array<int, 2>& tiles, Fi
 void exportHogels(LightFieldFile& lightField, const fs::path& file, const Progress& progress) {
   const LightFieldSize size = lightField.size();
   ImageRowWriter writer(file, size.width(), size.height(), lightField.type());
-  withStoredType(lightField.type(), [&]<class T>(T) {
-    RowsInOrder<T> rows(writer);
-    lightField.stream(
-        [&](int j, int v, const StoredRows& rgb) {
-          rows.add(std::size_t(j) * std::size_t(size.dv) + std::size_t(v), std::get<const T*>(rgb),
-                   3 * size.width());
-        },
-        progress);
-  });
+  writeHogels(lightField, writer, progress);
   writer.finish();
 }
 
@@ -165,7 +204,8 @@ void exportViews(LightFieldFile& lightField, const fs::path& folder, const Progr
   }
 }
 
-std::array<int, 2> quiltTilesFor(const LightFieldSize& size, const fs::path& file) {
+std::array<int, 2> quiltTilesFor(const LightFieldSize& size, const fs::path& file,
+                                 const LightFieldParams& own) {
   if (size.dv != 1)
     throw InputError("display.directions",
                      "has " + std::to_string(size.dv) +
@@ -178,6 +218,9 @@ std::array<int, 2> quiltTilesFor(const LightFieldSize& size, const fs::path& fil
                            std::to_string(size.du) + " directions");
     return {columns, rows};
   }
+  if (own.layout == Layout::quilt)
+    if (const std::array<int, 2> tiles = quiltTilesOf(own); tiles[0] * tiles[1] == size.du)
+      return tiles;
   std::array<int, 2> best{size.du, 1};
   for (int across = 1; across <= size.du; ++across) {
     const auto shape = [&](int c) {
@@ -188,18 +231,36 @@ std::array<int, 2> quiltTilesFor(const LightFieldSize& size, const fs::path& fil
   return best;
 }
 
-void exportQuilt(LightFieldFile& lightField, const fs::path& file, const Progress& progress) {
-  const auto [columns, rows] = quiltTilesFor(lightField.size(), file);
-  const auto firstOf = [columns = columns, rows = rows](int row) {  // the first one is the lowest
-    return FirstView{(rows - 1 - row) * columns, 0};
-  };
-  exportTiles(lightField, {columns, rows}, firstOf, file, progress);
+void exportQuilt(LightFieldFile& lightField, const fs::path& file, const Progress& progress,
+                 const LightFieldParams& own) {
+  const auto [columns, rows] = quiltTilesFor(lightField.size(), file, own);
+  exportTiles(lightField, {columns, rows, true}, file, progress);
 }
 
 void exportMosaic(LightFieldFile& lightField, const fs::path& file, const Progress& progress) {
   const LightFieldSize size = lightField.size();
-  const auto firstOf = [](int row) { return FirstView{0, row}; };
-  exportTiles(lightField, {size.du, size.dv}, firstOf, file, progress);
+  exportTiles(lightField, {size.du, size.dv}, file, progress);
+}
+
+ExportedPicture exportedPicture(ExportLayout layout, const Session& session,
+                                LightFieldFile& content, const fs::path& output,
+                                const Progress& progress) {
+  const LightFieldSize size = content.size();
+  ExportedPicture picture{int(size.width()), int(size.height()), {}};
+  RowsInMemory rows(picture);
+  if (layout == ExportLayout::hogels || layout == ExportLayout::woven) {
+    writeHogels(content, rows, progress);
+    return picture;
+  }
+  Tiles tiles{size.du, size.dv};
+  if (layout == ExportLayout::quilt) {
+    const auto [columns, down] = quiltTilesFor(size, output, session.lightField);
+    tiles = {columns, down, true};
+  }
+  picture.width = tiles.columns * size.nx;
+  picture.height = tiles.rows * size.ny;
+  writeTiles(content, tiles, rows, progress);
+  return picture;
 }
 
 std::optional<ExportLayout> exportLayoutNamed(const std::string& name) {
@@ -237,7 +298,7 @@ void exportAs(ExportLayout layout, const Session& session, LightFieldFile& conte
     case ExportLayout::views:
       return exportViews(content, output, progress);
     case ExportLayout::quilt:
-      return exportQuilt(content, output, progress);
+      return exportQuilt(content, output, progress, session.lightField);
     case ExportLayout::mosaic:
       return exportMosaic(content, output, progress);
     case ExportLayout::pack:

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -26,14 +27,15 @@ void exportHogels(LightFieldFile& lightField, const std::filesystem::path& file,
 void exportViews(LightFieldFile& lightField, const std::filesystem::path& folder,
                  const Progress& progress);
 
-/// Returns the tiles, across and down, that the name gives ("_qs8x6a0.75"), or those of an almost
-/// square image. Throws InputError if the name has another number than that of the directions, or
-/// if there is more than one row of directions.
-std::array<int, 2> quiltTilesFor(const LightFieldSize& size, const std::filesystem::path& file);
+/// Returns the tiles, across and down, that the name gives ("_qs8x6a0.75"), or those of the quilt
+/// that is exported, `own`, or those of an almost square image. Throws InputError if the name has
+/// another number than that of the directions, or if there is more than one row of directions.
+std::array<int, 2> quiltTilesFor(const LightFieldSize& size, const std::filesystem::path& file,
+                                 const LightFieldParams& own = {});
 
 /// Writes a quilt: view 0 is its bottom left tile and was taken from the left.
 void exportQuilt(LightFieldFile& lightField, const std::filesystem::path& file,
-                 const Progress& progress);
+                 const Progress& progress, const LightFieldParams& own = {});
 
 /// Writes a mosaic of views: the first row of its tiles was taken from the top, the first column
 /// from the left.
@@ -60,5 +62,18 @@ std::shared_ptr<LightFieldFile> contentToExport(const Session& session, ExportLa
 /// `output` is a file, or for views a folder.
 void exportAs(ExportLayout layout, const Session& session, LightFieldFile& content,
               const std::filesystem::path& output, const Progress& progress);
+
+/// A picture of 8-bit RGB, row by row.
+struct ExportedPicture {
+  int width = 0;
+  int height = 0;
+  std::vector<std::uint8_t> rgb;
+};
+
+/// Returns what exportAs() writes for a layout of one picture, in memory. `output` is the name that
+/// may give a quilt's tiles.
+ExportedPicture exportedPicture(ExportLayout layout, const Session& session,
+                                LightFieldFile& content, const std::filesystem::path& output,
+                                const Progress& progress);
 
 }  // namespace hogelscope

@@ -15,6 +15,7 @@
 #include "io/files/system_limits.h"
 #include "io/plugins/plugin_library.h"
 #include "io/scene/live_file.h"
+#include "io/scene/numbered_frames.h"
 #include "io/scene/woven_file.h"
 #include "io/store/light_field_store.h"
 #include "io/twin/twin_maps.h"
@@ -74,6 +75,15 @@ const LayoutType packLayout{.open = openStore, .holder = Holder::store};
 const LayoutType liveLayout{.open = openLive, .holder = Holder::scene};
 const LayoutType wovenLayout{.open = openWoven};
 
+std::unique_ptr<LightFieldFile> openStill(const LightFieldParams& params,
+                                          const DisplayParams& display, const Progress& progress) {
+  if (params.layout == Layout::hogels && LightFieldStore::isStore(params.file))
+    throw InputError(params.file, "lightField.layout",
+                     "is \"hogels\", but the file is a store: give \"pack\"");
+  if (display.sheet) return openOnSheet(params, display, progress);
+  return typeOf(params.layout).open(params, display, progress);
+}
+
 /// Whether a file is raw YUV.
 bool isYuv(const std::string& file) {
   return file.ends_with(".yuv");
@@ -98,6 +108,7 @@ const LayoutType& typeOf(Layout layout) {
 }
 
 Holder holderOf(const std::string& file, const YuvParams& yuv) {
+  if (const std::string first = firstFileOf(file); first != file) return holderOf(first, yuv);
   if (isYuvPicture(file, yuv)) return Holder::picture;
   if (isFolder(file)) return Holder::views;
   if (LightFieldStore::isStore(file)) return Holder::store;  // whose pages are alike
@@ -106,19 +117,41 @@ Holder holderOf(const std::string& file, const YuvParams& yuv) {
 }
 
 LightFieldParams lightFieldOf(const std::string& file, const YuvParams& yuv) {
+  if (const std::string first = firstFileOf(file); first != file) {
+    LightFieldParams params = lightFieldOf(first, yuv);
+    params.file = file;
+    return params;
+  }
   const Holder holder = holderOf(file, yuv);
   if (holder == Holder::scene) return lightFieldOfMesh(file);
   LightFieldParams params;
   params.file = file;
   params.yuv = yuv;
-  if (holder == Holder::views)
+  const bool areQuilts = quiltNameOf(file).tiles[0] > 0 && !isFolder(file);  // of a video, too
+  if (holder == Holder::views && !areQuilts)
     params.layout = Layout::views;
   else if (holder == Holder::store)
     params.layout = Layout::pack;
-  else if (quiltNameOf(file).tiles[0] > 0)
+  else if (areQuilts)
     params.layout = Layout::quilt;
   return params;
 }
+
+namespace {
+
+/// Whether the files have the frames of the pattern: once, and at all.
+bool hasFramesOf(const LightFieldParams& params) {
+  if (params.pattern.find(frameMark) == std::string::npos) return true;
+  if (params.file.find(frameMark) != std::string::npos) return false;
+  try {
+    (void)firstStillOf(params);
+    return true;
+  } catch (const InputError&) {
+    return false;
+  }
+}
+
+}  // namespace
 
 LightFieldParams withFile(const LightFieldParams& params, const std::string& file) {
   const Holder holder = typeOf(params.layout).holder;
@@ -126,6 +159,7 @@ LightFieldParams withFile(const LightFieldParams& params, const std::string& fil
   const bool isAnotherKind = params.isLive() || !isPossible;
   LightFieldParams result = isAnotherKind ? lightFieldOf(file) : params;
   if (!isAnotherKind) result.file = file;
+  if (!isAnotherKind && !hasFramesOf(result)) result.pattern.clear();
   result.viewingDistance = params.viewingDistance;
   return result;
 }
@@ -133,11 +167,11 @@ LightFieldParams withFile(const LightFieldParams& params, const std::string& fil
 std::unique_ptr<LightFieldFile> openLightField(const LightFieldParams& params,
                                                const DisplayParams& display,
                                                const Progress& progress) {
-  if (params.layout == Layout::hogels && LightFieldStore::isStore(params.file))
-    throw InputError(params.file, "lightField.layout",
-                     "is \"hogels\", but the file is a store: give \"pack\"");
-  if (display.sheet) return openOnSheet(params, display, progress);
-  return typeOf(params.layout).open(params, display, progress);
+  if (isNumbered(params))
+    return std::make_unique<NumberedFrames>(params, display, openStill, progress);
+  auto file = openStill(params, display, progress);
+  (void)listedFrames(params, file->frames());
+  return file;
 }
 
 std::vector<std::filesystem::path> filesOf(const Session& session, const LightFieldFile& file) {
@@ -167,6 +201,14 @@ std::unique_ptr<LightFieldFile> openUnwoven(const LightFieldParams& params,
   LightFieldParams views = params;
   views.viewingDistance = display.sheet->viewingDistance;
   return openLive(views, displayOfViews(display), progress);
+}
+
+bool isInTime(const Session& session) {
+  try {
+    return !openLightField(session.lightField, session.display)->frames().isStill();
+  } catch (const InputError&) {
+    return false;
+  }
 }
 
 int viewsOnSheet(const Session& session) {

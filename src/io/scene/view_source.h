@@ -78,6 +78,9 @@ void requireLive(const Session& session);
 ViewSource unloadedViewSource(const Session& session, const LightFieldFile& file,
                               const Progress& progress = {});
 
+/// Whether the session's light field has several frames; false if it cannot be opened.
+bool isInTime(const Session& session);
+
 /// Whether both sessions read the same light field. Their displays need only have the same hogels
 /// and directions, and the same rays if it is live.
 bool readTheSame(const Session& a, const Session& b);
