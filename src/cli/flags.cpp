@@ -73,6 +73,11 @@ std::vector<Flag> sharedFlags() {
        .value = "K/N",
        .help = "Does every N-th state, from the K-th on, for one of N processes; of a report "
                "only their figures, for the command without --shard."},
+      {.name = "frames",
+       .value = "FIRST:LAST:STEP",
+       .help =
+           "Of a light field in time: all, one frame, or those from FIRST to LAST, both of which "
+           "count. States with a time keep the frame of that time."},
       {.name = "explain",
        .help = "Prints for each state what is modelled, what is left out and why, and how far "
                "its lens can be trusted."},

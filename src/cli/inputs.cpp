@@ -16,7 +16,9 @@
 #include "io/documents/sheet_file.h"
 #include "io/documents/twin_file.h"
 #include "io/files/folders.h"
+#include "io/images/video_writer.h"
 #include "io/opening/opening.h"
+#include "io/scene/numbered_frames.h"
 #include "runs/state_images.h"
 
 namespace hogelscope {
@@ -203,6 +205,78 @@ std::optional<Shard> shardOf(const CommandLine& line) {
       shard.number > shard.count)
     throw InputError("--shard " + text, "must be K/N, such as 2/8, with 1 ≤ K ≤ N");
   return shard;
+}
+
+std::optional<FrameNumbers> framesOf(const CommandLine& line, const LightFieldFile& lightField) {
+  if (!line.has("frames")) return std::nullopt;
+  const std::string text = line.text("frames");
+  if (lightField.frames().isStill())
+    throw InputError("--frames " + text,
+                     "the light field is one frame: name several with {T} in lightField.file or "
+                     "pattern, or give videos of its views");
+  return framesFrom("--frames", text, lightField.frames());
+}
+
+void warnOfFrames(const CommandLine& line, const FrameNumbers& listed) {
+  if (listed.isStill() || line.has("quiet")) return;
+  printNote("warning: of " + std::to_string(listed.count()) + " frames the first one, " +
+            std::to_string(listed.first) + ", is used; --frames all uses all");
+}
+
+std::vector<FrameOutput> outputsOfFrames(const CommandLine& line,
+                                         const LightFieldFile& lightField) {
+  const std::string output = line.text("output");
+  const FrameNumbers listed = lightField.frames();
+  const bool isNamed = output.find(frameMark) != std::string::npos;
+  if (isNamed && listed.isStill())
+    throw InputError("--output " + output, "has {T}, but the light field is one frame");
+  const std::optional<FrameNumbers> chosen = framesOf(line, lightField);
+  if (!chosen && !isNamed) {
+    warnOfFrames(line, listed);
+    return {{listed.first, output}};
+  }
+  const FrameNumbers frames = chosen.value_or(listed);
+  if (!isNamed && frames.count() > 1 && !isVideoName(output))
+    throw InputError("--output " + output, "is one name for " + std::to_string(frames.count()) +
+                                               " frames: put {T} into it, where the number of the "
+                                               "frame is to be");
+  std::vector<FrameOutput> outputs;
+  for (std::size_t k = 0; k < frames.count(); ++k) {
+    const int frame = frames.number(k);
+    outputs.push_back({frame, withFrame(output, frameDigits(frame, listed))});
+  }
+  return outputs;
+}
+
+std::vector<FrameState> statesInTime(const CommandLine& line, const Input& input) {
+  const FrameNumbers listed = input.file->frames();
+  const std::optional<FrameNumbers> chosen = framesOf(line, *input.file);
+  const std::vector<CameraState>& states = input.session.cameras;
+  const bool haveAllTimes = std::ranges::none_of(
+      states, [](const CameraState& state) { return state.camera.time == notGiven; });
+  if (chosen && haveAllTimes)
+    throw InputError("--frames " + line.text("frames"),
+                     "all states have a time, which chooses their frame: leave out --frames");
+  if (!chosen && !haveAllTimes) warnOfFrames(line, listed);
+  const FrameNumbers first{listed.first, listed.first, 1};
+  return inFile(line.text("session"), [&] {
+    return statesAtFrames(states, chosen.value_or(first), listed,
+                          frameRateOf(input.session.lightField, *input.file));
+  });
+}
+
+void keepShard(std::vector<FrameState>& states, const Shard& shard) {
+  std::vector<int> frames;
+  for (const FrameState& state : states)
+    if (frames.empty() || frames.back() != state.frame) frames.push_back(state.frame);
+  std::vector<FrameState> own;
+  for (std::size_t k = 0; k < states.size(); ++k) {
+    const auto frame = std::size_t(std::ranges::find(frames, states[k].frame) - frames.begin());
+    const bool isOwn =
+        frames.size() < 2 ? shard.has(k) : frame * shard.count / frames.size() == shard.number - 1;
+    if (isOwn) own.push_back(states[k]);
+  }
+  states = std::move(own);
 }
 
 void warnOf(const LightFieldFile& lightField, const std::string& name, const CommandLine& line) {

@@ -10,6 +10,7 @@
 
 #include "cli/command_line.h"
 #include "core/base/shard.h"
+#include "core/cameras/frame_states.h"
 #include "core/optics/session.h"
 #include "io/files/files_in_use.h"
 #include "io/opening/session_around.h"
@@ -65,6 +66,32 @@ Session loadSelected(const CommandLine& line, const char* ofHogels = nullptr);
 
 /// Returns the shard of --shard; none without it. Throws InputError.
 std::optional<Shard> shardOf(const CommandLine& line);
+
+/// Returns the frames of --frames. Without it, none where a job makes one thing of each frame.
+/// Throws InputError, also if there is no frame to choose.
+std::optional<FrameNumbers> framesOf(const CommandLine& line, const LightFieldFile& lightField);
+
+/// Prints, unless the job is quiet, that only the first of several frames is used.
+void warnOfFrames(const CommandLine& line, const FrameNumbers& listed);
+
+/// Returns each state at its frame (statesAtFrames()), with --frames at each of these; without, at
+/// the first one, and says so unless the job is quiet. Throws InputError.
+std::vector<FrameState> statesInTime(const CommandLine& line, const Input& input);
+
+/// A frame of a light field and the file or folder for it.
+struct FrameOutput {
+  int frame = 0;
+  std::filesystem::path output;
+};
+
+/// Returns the frames of --frames, or all where --output has {T}, with their outputs; without
+/// either the first one, and says so unless the job is quiet. Throws InputError, also if several
+/// frames have one output.
+std::vector<FrameOutput> outputsOfFrames(const CommandLine& line, const LightFieldFile& lightField);
+
+/// Keeps the shard's share of states, or of a light field in time whole frames that follow each
+/// other: each frame is read by one process.
+void keepShard(std::vector<FrameState>& states, const Shard& shard);
 
 /// Prints missing parts of a light field on stderr, unless the job is quiet.
 void warnOf(const LightFieldFile& lightField, const std::string& name, const CommandLine& line);

@@ -4,6 +4,9 @@
 #include <filesystem>
 #include <iostream>
 #include <iterator>
+#include <optional>
+#include <set>
+#include <vector>
 
 #include "cli/inputs.h"
 #include "cli/jobs.h"
@@ -15,6 +18,7 @@
 #include "io/documents/session_file.h"
 #include "io/files/atomic_file.h"
 #include "io/files/folders.h"
+#include "io/images/video_writer.h"
 #include "io/opening/session_around.h"
 #include "io/scene/light_field_export.h"
 #include "io/scene/view_source.h"
@@ -93,6 +97,54 @@ int exportPage(const Session& session, const CommandLine& line) {
   return 0;
 }
 
+/// Writes a video of the frames, each of which is a picture.
+void exportVideo(ExportLayout layout, const Input& input, const CommandLine& line,
+                 const std::vector<FrameOutput>& frames, const Progress& progress) {
+  LightFieldFile& file = *input.file;
+  const fs::path output = line.text("output");
+  if (layout == ExportLayout::views || layout == ExportLayout::pack)
+    throw InputError("--output " + output.string(), "is a video's name, but " + line.subject +
+                                                        " are no picture of a frame: put "
+                                                        "{T} into another name");
+  const double rate = frameRateOf(input.session.lightField, file);
+  if (!(rate > 0))
+    throw InputError("--output " + output.string(),
+                     "needs lightField.fps: the light field does not say its frame rate");
+  std::optional<VideoWriter> video;
+  for (std::size_t k = 0; k < frames.size(); ++k) {
+    const auto count = double(frames.size());
+    const Progress own = part(progress, double(k) / count, double(k + 1) / count);
+    file.select(frames[k].frame);
+    const ExportedPicture picture = exportedPicture(layout, input.session, file, output, own);
+    if (!video) video.emplace(output, std::array{picture.width, picture.height}, rate);
+    video->add(picture.rgb, own);
+  }
+  video->finish(progress);
+}
+
+/// Writes the frames, each to its output. Returns how many there are.
+std::size_t exportFrames(ExportLayout layout, const Input& input, const CommandLine& line) {
+  LightFieldFile& file = *input.file;
+  const std::vector<FrameOutput> frames = outputsOfFrames(line, file);
+  const bool isVideo = isVideoName(line.text("output")) && !file.frames().isStill();
+  std::set<fs::path> outputs;
+  for (const FrameOutput& frame : frames) outputs.insert(frame.output);
+  checkResults(line, input.session, {outputs.begin(), outputs.end()});
+  ProgressBar bar("exporting", line.has("quiet"));
+  for (const fs::path& output : outputs) makeFolderOf(output);
+  if (isVideo)
+    exportVideo(layout, input, line, frames, bar.progress());
+  else
+    for (std::size_t k = 0; k < frames.size(); ++k) {
+      const auto count = double(frames.size());
+      file.select(frames[k].frame);
+      exportAs(layout, input.session, file, frames[k].output,
+               part(bar.progress(), double(k) / count, double(k + 1) / count));
+    }
+  bar.done();
+  return frames.size();
+}
+
 int runExport(const CommandLine& line) {
   if (line.has("twin") && !line.has("for-twin"))
     throw InputError(
@@ -134,15 +186,12 @@ int runExport(const CommandLine& line) {
   const fs::path output = line.text("output");
   const Input input(session, contentToExport(session, *layout, isForTwin));
   LightFieldFile& file = *input.file;
-  checkResults(line, session, {output});
   std::array<int, 2> tiles{};
-  if (layout == ExportLayout::quilt) tiles = quiltTilesFor(file.size(), output);
-  makeFolderOf(output);
-  ProgressBar bar("exporting", line.has("quiet"));
-  exportAs(*layout, session, file, output, bar.progress());
-  bar.done();
+  if (layout == ExportLayout::quilt) tiles = quiltTilesFor(file.size(), output, session.lightField);
+  const std::size_t frames = exportFrames(*layout, input, line);
   if (!finish(line, session)) return 0;
   std::cout << printable(output.string()) << ": " << line.subject;
+  if (frames > 1) std::cout << ", " << frames << " frames";
   if (layout == ExportLayout::quilt)
     std::cout << ", lightField.columns=" << tiles[0] << " lightField.rows=" << tiles[1];
   if (layout == ExportLayout::mosaic)
@@ -168,6 +217,8 @@ Job exportJob() {
           "live scene becomes gives the same pictures as the scene itself. Only a light "
           "field that is a store or live may be larger than memory for views, quilt "
           "and mosaic. "
+          "Of a light field in time --frames, or {T} in --output, writes a file or folder for each "
+          "frame; or give a quilt, mosaic or hogels the name of a video, FILE.mp4. "
           "After a stop pack goes on where it was. A rig needs "
           "lightField.viewingDistance, and no light field if the display has hogels and "
           "directions. A page opens in any browser, without a network; all of the light field is "
@@ -178,14 +229,15 @@ Job exportJob() {
           "  hogelscope --export pack --session live.json --output store.tif\n"
           "  hogelscope --export quilt --session live.json --output room_qs8x6a1.png \\\n"
           "             --set display.directions=[48,1]\n"
+          "  hogelscope --export views --session moving.json --output 'frames/{T}'\n"
           "  hogelscope --export rig --session s.json --output rig.json \\\n"
           "             --set lightField.viewingDistance=0.6\n"
           "  hogelscope --export page --session s.json --output s.html --test coded.png\n"
           "  hogelscope --export page --session s.json --output votes.html --test coded.png \\\n"
           "             --experiment dsis\n",
       .needs = {"session", "output"},
-      .takes = {"set", "test", "twin", "plugins-path", "save-session", "memory", "threads",
-                "quiet"},
+      .takes = {"set", "test", "twin", "plugins-path", "save-session", "frames", "memory",
+                "threads", "quiet"},
       .own =
           {{.name = "for-twin",
             .after = "save-session",

@@ -54,15 +54,10 @@ std::string shapeText(const StoreHeader& header) {
          pairText(block.u, block.v);
 }
 
-}  // namespace
-
-int packContent(const Session& session, bool isDisplayGiven, const CommandLine& line) {
-  const std::string output = line.text("output");
+/// Writes the frame that is selected as a store.
+void packFrame(const Session& session, bool isDisplayGiven, LightFieldFile& file,
+               const fs::path& output, const CommandLine& line) {
   const bool isQuiet = line.has("quiet");
-  const Input input(session);
-  LightFieldFile& file = *input.file;
-  checkResults(line, session, {output});
-  requireStoreName(output);
   const std::size_t memory = allowedMemory() / (file.isStream() ? 1 : 2);  // half for the reader
   const PackPlan plan =
       planPack(session.lightField, file,
@@ -76,7 +71,23 @@ int packContent(const Session& session, bool isDisplayGiven, const CommandLine& 
   pack(file, plan, output, int(line.number("threads").value_or(0)), bar.progress());
   bar.done();
   if (!isQuiet)
-    std::cout << printable(output) << ": " << bytesText(RandomAccessFile(output).size()) << "\n";
+    std::cout << printable(output.string()) << ": " << bytesText(RandomAccessFile(output).size())
+              << "\n";
+}
+
+}  // namespace
+
+int packContent(const Session& session, bool isDisplayGiven, const CommandLine& line) {
+  const Input input(session);
+  const std::vector<FrameOutput> frames = outputsOfFrames(line, *input.file);
+  std::vector<fs::path> outputs;
+  for (const FrameOutput& frame : frames) outputs.push_back(frame.output);
+  checkResults(line, session, outputs);
+  for (const fs::path& output : outputs) requireStoreName(output.string());
+  for (const auto& [frame, output] : frames) {
+    input.file->select(frame);
+    packFrame(session, isDisplayGiven, *input.file, output, line);
+  }
   return 0;
 }
 
@@ -92,23 +103,25 @@ int runPack(const CommandLine& line) {
 }  // namespace
 
 Job packJob() {
-  return {.name = "pack",
-          .value = "LF",
-          .help =
-              "Writes a light field as a store: a tiled TIFF of which a view reads only what it "
-              "sees, so that it need not fit into memory.",
-          .details =
-              "What an image of hogels does not say, display.hogels and display.directions, "
-              "--session or --set says. After a stop the same command goes on where it was.",
-          .examples =
-              "  hogelscope --pack large.png --session s.json --output large.tif\n"
-              "  hogelscope --pack large.png --output large.tif --set display.hogels=[512,512] \\\n"
-              "             --set display.directions=[600,600]\n"
-              "  hogelscope --pack views --output views.tif --memory 4000\n"
-              "  hogelscope --pack decoded.png --session views --output decoded.tif\n",
-          .needs = {"output"},
-          .takes = {"session", "set", "plugins-path", "memory", "threads", "quiet"},
-          .run = runPack};
+  return {
+      .name = "pack",
+      .value = "LF",
+      .help =
+          "Writes a light field as a store: a tiled TIFF of which a view reads only what it "
+          "sees, so that it need not fit into memory.",
+      .details =
+          "What an image of hogels does not say, display.hogels and display.directions, "
+          "--session or --set says. After a stop the same command goes on where it was. Of a light "
+          "field in time --frames, or {T} in --output, writes a store for each frame.",
+      .examples =
+          "  hogelscope --pack large.png --session s.json --output large.tif\n"
+          "  hogelscope --pack large.png --output large.tif --set display.hogels=[512,512] \\\n"
+          "             --set display.directions=[600,600]\n"
+          "  hogelscope --pack views --output views.tif --memory 4000\n"
+          "  hogelscope --pack decoded.png --session views --output decoded.tif\n",
+      .needs = {"output"},
+      .takes = {"session", "set", "plugins-path", "frames", "memory", "threads", "quiet"},
+      .run = runPack};
 }
 
 }  // namespace hogelscope

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <functional>
 #include <iostream>
 #include <iterator>
+#include <span>
 #include <utility>
 
 #include "cli/explain.h"
@@ -24,6 +26,7 @@
 #include "io/files/system_limits.h"
 #include "io/images/image_writer.h"
 #include "io/images/video_writer.h"
+#include "runs/frame_reader.h"
 #include "runs/state_images.h"
 #include "study/undistortion.h"
 
@@ -42,7 +45,9 @@ bool isDistorted(const CameraState& state) {
 struct Picture {
   std::string name;  ///< the file's, without an ending
   std::vector<CameraState> eyes;
-  double focus = 0;  ///< metres, of a focus stack
+  double focus = 0;          ///< metres, of a focus stack
+  int frame = 0;             ///< of the light field
+  std::string ofFrame = {};  ///< the frame in names, such as ".frame0010"; "" without --frames
   /// Whether it is the picture before it without the lens, and has two more files: --undistort.
   bool isUndistorted = false;
 };
@@ -63,7 +68,8 @@ struct RenderOutput {
     return folder / (name + "." + ending);
   }
   [[nodiscard]] std::string maskName(const Picture& picture, std::size_t eye) const {
-    return picture.eyes.size() == 1 ? picture.name : fileNameOf(picture.eyes[eye].camera.name);
+    return picture.eyes.size() == 1 ? picture.name
+                                    : fileNameOf(picture.eyes[eye].camera.name) + picture.ofFrame;
   }
   [[nodiscard]] std::vector<fs::path> allFiles(const std::vector<Picture>& pictures) const {
     std::vector<fs::path> files;
@@ -139,17 +145,25 @@ struct Pictures {
   std::vector<std::pair<std::string, std::string>> tables;  ///< files of focus stacks, and texts
   std::size_t undistorted = 0;                              ///< pictures without their lens
 
-  Pictures(const Session& session, const PanelParams& display, int stackCount,
-           const RenderOutput& output) {
-    for (const CameraState& state : session.cameras) {
+  /// `digits` returns a frame's number in names of files; none without --frames.
+  Pictures(const Session& session, const std::vector<FrameState>& states,
+           const std::function<std::string(int frame)>& digits, const PanelParams& display,
+           int stackCount, const RenderOutput& output) {
+    for (const auto& [state, frame] : states) {
+      const std::string ofFrame = digits ? ".frame" + digits(frame) : "";
       std::vector<double> distances;
       if (stackCount > 0)
         inFile(output.session + ": " + state.camera.name,
                [&] { distances = focusDistances(state, display, stackCount); });
       std::vector<Picture> own =
           picturesOf(state, session.display, distances, output.stereo.has_value());
+      for (Picture& picture : own) {
+        picture.frame = frame;
+        picture.ofFrame = ofFrame;
+        picture.name += ofFrame;
+      }
       if (stackCount > 0)
-        tables.emplace_back(state.camera.name + ".focus.csv", tableOf(own, output));
+        tables.emplace_back(state.camera.name + ofFrame + ".focus.csv", tableOf(own, output));
       for (Picture& picture : own) {
         all.push_back(picture);
         if (!output.isUndistorting || !isDistorted(picture.eyes[0])) continue;
@@ -162,14 +176,6 @@ struct Pictures {
     }
   }
 
-  /// Returns the session whose states are those of all pictures, in order.
-  [[nodiscard]] Session sessionOf(Session session) const {
-    session.cameras.clear();
-    for (const Picture& picture : all)
-      std::ranges::copy(picture.eyes, std::back_inserter(session.cameras));
-    return session;
-  }
-
  private:
   static std::string tableOf(const std::vector<Picture>& pictures, const RenderOutput& output) {
     Table table{{"file", "focus", "dioptres"}};
@@ -180,67 +186,113 @@ struct Pictures {
   }
 };
 
-/// Writes all pictures; for PNG without a video, continues after one that cannot be rendered.
-/// Returns lines about them.
-std::string renderAll(ViewSource source, LightFieldFile& file, const Session& session,
-                      const std::vector<Picture>& pictures, RenderOutput& output,
+/// Writes pictures one after the other; for PNG without a video, it goes on after one that cannot
+/// be rendered.
+class PictureWriter {
+ public:
+  explicit PictureWriter(RenderOutput& output) : m_output(output) {}
+
+  /// Renders a picture; `first` is the number of its first eye among the states of `images`.
+  void write(const Picture& picture, const StateImages& images, std::size_t first,
+             const Progress& progress) {
+    const std::size_t end = first + picture.eyes.size();
+    if (m_output.format != "png") {
+      std::vector<FloatImage> eyes;
+      for (std::size_t k = first; k < end; ++k)
+        eyes.push_back(images.renderFloat(k, m_renderer, progress));
+      m_output.write(picture, eyes);
+      return;
+    }
+    std::vector<Image> eyes;
+    try {
+      for (std::size_t k = first; k < end; ++k)
+        eyes.push_back(images.render(k, m_renderer, progress));
+    } catch (const InputError& error) {
+      if (m_output.video) throw InputError(picture.name, error.what());
+      if (!m_failed) m_failed.emplace(picture.name, error.what());
+      m_before.reset();
+      return;
+    }
+    Image image = m_output.write(picture, eyes);
+    if (picture.isUndistorted && m_before)
+      m_lines += m_output.writeUndistortion(*m_before, images.job(first - 1).state, picture, image);
+    if (m_output.video) m_output.video->add(image.rgb, progress);
+    if (m_output.isUndistorting) m_before = std::move(image);
+  }
+
+  /// Returns lines about the pictures. Throws the first picture's error.
+  std::string finish(const Progress& progress) {
+    if (m_output.video) m_output.video->finish(progress);
+    if (m_failed) throw InputError(*m_failed);
+    return m_lines;
+  }
+
+ private:
+  RenderOutput& m_output;
+  Renderer m_renderer;
+  std::optional<InputError> m_failed;
+  std::optional<Image> m_before;  ///< the picture before, for --undistort
+  std::string m_lines;
+};
+
+/// Returns the pictures of the same frame as the first one, as many as follow each other.
+std::span<const Picture> ofOneFrame(std::span<const Picture> pictures) {
+  std::size_t count = 0;
+  while (count < pictures.size() && pictures[count].frame == pictures[0].frame) ++count;
+  return pictures.first(count);
+}
+
+std::vector<CameraState> eyesOf(std::span<const Picture> pictures) {
+  std::vector<CameraState> eyes;
+  for (const Picture& picture : pictures) std::ranges::copy(picture.eyes, std::back_inserter(eyes));
+  return eyes;
+}
+
+/// Writes all pictures, frame by frame. Returns lines about them.
+std::string renderAll(const ViewSource& source, LightFieldFile& file, Session session,
+                      std::span<const Picture> pictures, RenderOutput& output,
                       const Progress& progress) {
   const bool isStreamed = mustStream(file, allowedMemory());
   if (isStreamed && output.format != "png")
     throw InputError("--format " + output.format,
                      "needs the light field in memory or in a store: give it more --memory, or "
                      "--pack it first");
+  std::vector<int> frames;
+  for (const Picture& picture : pictures)
+    if (frames.empty() || frames.back() != picture.frame) frames.push_back(picture.frame);
+  const SourceUse use{.threads = threadCount()};
   const double reading = isStreamed ? 1 : 0.5;
-  StateImages images(std::move(source), file, session.cameras, {.use = {.threads = threadCount()}},
-                     part(progress, 0, reading));
-  if (output.isIdeal) images.showIdeal();
-  if (output.isExplained)
-    std::cout << explanations(images.source(), session, part(progress, reading, reading));
-  Renderer renderer;
-  const double each = (1 - reading) / double(session.cameras.size());
-  std::optional<InputError> first;
-  std::optional<Image> before;  // the image of the picture before, for --undistort
-  std::string lines;
-  std::size_t state = 0;
-  const auto progressOf = [&](std::size_t k) {
-    return part(progress, reading + double(k) * each, reading + double(k + 1) * each);
+  FrameReader reader(file, frames, use);
+  PictureWriter writer(output);
+  const auto imagesOfFrame = [&](int frame, const Progress& own) {
+    ViewSource ofFrame = source;
+    if (isStreamed) {
+      file.select(frame);
+      return StateImages(ofFrame, file, session.cameras, {.use = use}, own);
+    }
+    ofFrame.lightField = reader.next(own);
+    return StateImages(ofFrame, session.cameras);
   };
-  for (const Picture& picture : pictures) {
-    const std::size_t begin = std::exchange(state, state + picture.eyes.size());
-    if (output.format != "png") {
-      std::vector<FloatImage> eyes;
-      for (std::size_t k = begin; k < state; ++k)
-        eyes.push_back(images.renderFloat(k, renderer, progressOf(k)));
-      output.write(picture, eyes);
-      continue;
+  for (std::size_t begin = 0; begin < pictures.size();) {
+    const std::span<const Picture> own = ofOneFrame(pictures.subspan(begin));
+    const double each = 1 / double(pictures.size());
+    const Progress ofFrame =
+        part(progress, double(begin) * each, double(begin + own.size()) * each);
+    session.cameras = eyesOf(own);
+    StateImages images = imagesOfFrame(own[0].frame, part(ofFrame, 0, reading));
+    if (output.isIdeal) images.showIdeal();
+    if (output.isExplained && begin == 0)
+      std::cout << explanations(images.source(), session, part(ofFrame, reading, reading));
+    std::size_t state = 0;
+    for (const Picture& picture : own) {
+      const std::size_t first = std::exchange(state, state + picture.eyes.size());
+      const double ofEye = (1 - reading) / double(session.cameras.size());
+      writer.write(picture, images, first,
+                   part(ofFrame, reading + double(first) * ofEye, reading + double(state) * ofEye));
     }
-    std::vector<Image> eyes;
-    try {
-      for (std::size_t k = begin; k < state; ++k)
-        eyes.push_back(images.render(k, renderer, progressOf(k)));
-    } catch (const InputError& error) {
-      if (output.video) throw InputError(picture.name, error.what());
-      if (!first) first.emplace(picture.name, error.what());
-      before.reset();
-      continue;
-    }
-    Image image = output.write(picture, eyes);
-    if (picture.isUndistorted && before)
-      lines += output.writeUndistortion(*before, session.cameras[begin - 1], picture, image);
-    if (output.video) output.video->add(image.rgb, progressOf(begin));
-    if (output.isUndistorting) before = std::move(image);
+    begin += own.size();
   }
-  if (output.video) output.video->finish(progress);
-  if (first) throw *first;
-  return lines;
-}
-
-/// Keeps the shard's share of the states, which may be empty.
-void keepShard(Session& session, const Shard& shard) {
-  std::vector<CameraState> own;
-  for (std::size_t k = 0; k < session.cameras.size(); ++k)
-    if (shard.has(k)) own.push_back(session.cameras[k]);
-  session.cameras = std::move(own);
+  return writer.finish(progress);
 }
 
 /// Returns the mode of --stereo, if it is given and a state has two eyes.
@@ -254,6 +306,15 @@ std::optional<StereoMode> stereoModeOf(const CommandLine& line, const Session& s
   return static_cast<StereoMode>(std::ranges::find(names, text) - names.begin());
 }
 
+/// Gives the pictures of a path their times, if the light field has several frames.
+void setTimes(std::vector<CameraState>& path, const LightFieldParams& params,
+              const LightFieldFile& file) {
+  if (file.frames().isStill()) return;
+  const double rate = frameRateOf(params, file);
+  for (std::size_t k = 0; k < path.size(); ++k)
+    path[k].camera.time = rate > 0 ? double(k) / rate : 0;
+}
+
 /// Throws InputError if other options or the states keep a video from being made.
 void requireVideo(const CommandLine& line, const Session& session) {
   if (!line.has("video")) throw InputError("--fps", "belongs to --video");
@@ -261,6 +322,8 @@ void requireVideo(const CommandLine& line, const Session& session) {
     throw InputError("--video",
                      "is of all pictures, and these are PNG: leave out --shard, --format");
   requireOneSize(session.cameras);
+  if (line.has("frames") && session.cameras.size() > 1)
+    throw InputError("--video", "is of one state's frames: choose it with --states");
   if (std::ranges::none_of(session.cameras, hasTwoEyes)) return;
   if (!line.has("stereo"))
     throw InputError("--video", "has one picture for both eyes: add --stereo side-by-side");
@@ -286,6 +349,14 @@ std::array<int, 2> sizeOf(const Picture& picture, const RenderOutput& output) {
   return {isBeside ? width * int(picture.eyes.size()) : width, height};
 }
 
+/// Returns the pictures that a video shows in a second: as many as the light field has frames.
+double usualRate(const Input& input) {
+  constexpr double ofStills = 30;
+  const double rate =
+      input.file->frames().isStill() ? 0 : frameRateOf(input.session.lightField, *input.file);
+  return rate > 0 ? rate : ofStills;
+}
+
 int runRender(const CommandLine& line) {
   Session session = loadSelected(line);
   if (line.has("between"))
@@ -293,8 +364,10 @@ int runRender(const CommandLine& line) {
   if (line.has("video") || line.has("fps")) requireVideo(line, session);
   if (line.has("undistort")) requireUndistortable(line, session);
   const std::optional<StereoMode> stereo = stereoModeOf(line, session);
-  if (const auto shard = shardOf(line)) keepShard(session, *shard);
-  const Input input(session);
+  Input input(session);
+  if (line.has("between")) setTimes(input.session.cameras, session.lightField, *input.file);
+  std::vector<FrameState> states = statesInTime(line, input);
+  if (const auto shard = shardOf(line)) keepShard(states, *shard);
   RenderOutput output{line.text("session"),
                       line.text("output"),
                       line.text("format", "png"),
@@ -305,27 +378,29 @@ int runRender(const CommandLine& line) {
   output.isUndistorting = line.has("undistort");
   if (output.isIdeal) requireLive(input.session);
   const PanelParams display = input.display();
-  const Pictures pictures(input.session, display, int(line.number("focus-stack").value_or(0)),
-                          output);
+  const FrameNumbers listed = input.file->frames();
+  std::function<std::string(int)> digits;
+  if (line.has("frames")) digits = [&](int frame) { return frameDigits(frame, listed); };
+  const Pictures pictures(input.session, states, digits, display,
+                          int(line.number("focus-stack").value_or(0)), output);
   std::vector<fs::path> files = output.allFiles(pictures.all);
   for (const auto& [name, text] : pictures.tables) files.push_back(output.folder / name);
   if (line.has("video")) files.emplace_back(line.text("video"));
   checkResults(line, input.session, files);
   warnOfCuts(*input.file, input.session, line);
   warnOfPupils(display, input.session, line);
-  ViewSource source = unloadedOf(input.session, *input.file, line);
+  const ViewSource source = unloadedOf(input.session, *input.file, line);
   if (line.has("video")) {
     makeFolderOf(line.text("video"));
     output.video.emplace(line.text("video"), sizeOf(pictures.all.front(), output),
-                         line.number("fps").value_or(30));
+                         line.number("fps").value_or(usualRate(input)));
   }
   makeFolder(output.folder);
   const bool isQuiet = line.has("quiet");
   announceStreaming(*input.file, allowedMemory(), isQuiet);
   ProgressBar bar("rendering", isQuiet);
   const std::string lines =
-      renderAll(std::move(source), *input.file, pictures.sessionOf(input.session), pictures.all,
-                output, bar.progress());
+      renderAll(source, *input.file, input.session, pictures.all, output, bar.progress());
   for (const auto& [name, text] : pictures.tables) writeTextFile(output.folder / name, text);
   bar.done();
   if (finish(line, input.session))
@@ -348,7 +423,7 @@ Job renderJob() {
           "--explain\n",
       .needs = {"session", "output"},
       .takes = {"set", "states", "calibration", "twin", "plugins-path", "save-session", "shard",
-                "explain", "memory", "threads", "quiet"},
+                "frames", "explain", "memory", "threads", "quiet"},
       .own =
           {{.name = "format",
             .value = "png|exr|tif",
@@ -387,7 +462,9 @@ Job renderJob() {
            {.name = "fps",
             .value = "F",
             .range = NumberRange{.min = 0.1, .max = 240},
-            .help = "Pictures that the video shows in a second, 30 by default."},
+            .help =
+                "Pictures that the video shows in a second: by default as many as a light field "
+                "in time has frames, otherwise 30."},
            {.name = "masks", .help = "Also DIR/<name>.mask.png, white where the display is seen."}},
       .run = runRender};
 }

@@ -15,6 +15,7 @@
 #include "core/base/error.h"
 #include "core/base/parameters.h"
 #include "core/base/text.h"
+#include "core/metrics/flicker.h"
 #include "core/optics/eyes.h"
 #include "io/documents/session_file.h"
 #include "io/files/atomic_file.h"
@@ -22,6 +23,7 @@
 #include "report/page/report_tables.h"
 #include "report/report_facts.h"
 #include "report/report_files.h"
+#include "report/report_frames.h"
 #include "report/report_moves.h"
 #include "report/report_run.h"
 #include "report/test_orders.h"
@@ -41,7 +43,7 @@ int checkGate(const std::vector<ReportRow>& rows, std::optional<double> least) {
   for (const ReportRow& row : rows) {
     const double db = row.values[psnrSeenColumn];
     if (db >= *least || row.problem == seesNothing) continue;
-    printNote(row.state + ": " + row.test + ": " +
+    printNote(viewName(row) + ": " + row.test + ": " +
               (!row.problem.empty() ? row.problem
                : std::isnan(db)     ? "no pixel is seen in both pictures"
                                     : "PSNR " + numberText(db) + " dB over what is seen is below " +
@@ -227,8 +229,11 @@ int runReport(const CommandLine& line) {
   }
   std::ranges::move(openTests(request.session, line.texts("test")),
                     std::back_inserter(request.tests));
-  request.metrics = request.isAgainstDesign ? metricsOf(request.session.metrics, {moveMetric()})
-                                            : metricsOf(request.session.metrics);
+  takeFrames(request, framesOf(line, *request.file));
+  std::vector<Metric> others;
+  if (!request.frames.empty()) others.push_back(flickerMetric());
+  if (request.isAgainstDesign) others.push_back(moveMetric());  // the last one
+  request.metrics = metricsOf(request.session.metrics, std::move(others));
   request.groups = rateGroups(line, request.tests);
   request.output = line.text("output");
   request.command = line.shellText;
@@ -263,9 +268,8 @@ int runReport(const CommandLine& line) {
   const Report report = makeWithProgress(request, line);
   finish(line, session);
   if (request.shard) {
-    const std::size_t states = request.shard->share(request.session.cameras.size());
-    if (!isQuiet)
-      printShard(request.shard, std::to_string(states * request.tests.size()) + " views", "report");
+    const std::size_t views = ShardOfViews(request).count() * request.tests.size();
+    if (!isQuiet) printShard(request.shard, std::to_string(views) + " views", "report");
     return 0;
   }
   if (!isQuiet) {
@@ -307,7 +311,7 @@ Job reportJob() {
           "             --group JPEG2000=b1.jp2,b2.jp2,b3.jp2,b4.jp2\n",
       .needs = {"session", "output", "test"},
       .takes = {"set", "states", "calibration", "twin", "plugins-path", "save-session", "shard",
-                "explain", "memory", "threads", "quiet"},
+                "frames", "explain", "memory", "threads", "quiet"},
       .own =
           {{.name = "images",
             .after = "masks",
