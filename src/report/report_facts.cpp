@@ -92,7 +92,14 @@ ReportFacts factsOf(const ReportRequest& request, FileHashes& hashes, const Prog
   }
   for (std::size_t k = MetricSet().columns().size(); k < request.metrics.columns().size(); ++k)
     all += request.metrics.columns()[k].name + "\n";
-  line("Camera states", std::to_string(session.cameras.size()));
+  if (request.frames.empty()) {
+    line("Camera states", std::to_string(session.cameras.size()));
+  } else {
+    for (const int frame : request.frames) all += std::to_string(frame) + "\n";
+    line("Views", std::to_string(session.cameras.size()) + " camera states at frames " +
+                      std::to_string(request.frames.front()) + " … " +
+                      std::to_string(request.frames.back()));
+  }
   line("Sampling", described(session.sampling));
   line("Program", versionsLine());
   line("Command", request.command);

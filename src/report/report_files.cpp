@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "core/base/text.h"
+#include "core/cameras/frame_states.h"
 #include "core/metrics/error_map.h"
 #include "core/optics/eyes.h"
 #include "io/files/atomic_file.h"
@@ -26,6 +27,12 @@ std::string viewName(const ChosenView& view) {
 
 fs::path viewFile(const fs::path& folder, const ChosenView& view, const char* ending) {
   return folder / (viewName(view) + ending + ".png");
+}
+
+/// Returns the name of a view in names of its pictures: its state's, or "STATE.frame0010". `last`
+/// is the report's last frame.
+std::string pictureName(const std::string& state, std::optional<int> frame, int last) {
+  return frame ? state + ".frame" + frameDigits(*frame, {0, last, 1}) : state;
 }
 
 fs::path referenceImage(const fs::path& folder, const std::string& state) {
@@ -142,6 +149,10 @@ fs::path panelFile(const fs::path& folder, std::size_t test, const std::string& 
   return folder / "panel_error" / ("test" + std::to_string(test + 1) + "_" + ending);
 }
 
+std::string pictureName(const std::vector<ReportRow>& rows, std::size_t row) {
+  return pictureName(rows[row].state, rows[row].frame, rows.back().frame.value_or(0));
+}
+
 std::vector<fs::path> filesOf(const ReportRequest& request) {
   const fs::path folder = request.output;
   std::vector<fs::path> files{folder / "report.csv",      folder / "metrics.csv",
@@ -154,6 +165,7 @@ std::vector<fs::path> filesOf(const ReportRequest& request) {
   };
   for (const MetricMean& mean : request.metrics.means()) {
     plot("rate_" + mean.name);
+    if (!request.frames.empty()) plot("frames_" + mean.name);
     if (request.isAgainstDesign) plot("units_" + mean.name);
   }
   for (std::size_t test = 0; test < request.tests.size(); ++test) {
@@ -167,9 +179,13 @@ std::vector<fs::path> filesOf(const ReportRequest& request) {
          {"above", "front", "angle", "states", "hogels", "directions", "views", "ranks"})
       plot("test" + std::to_string(test + 1) + "_" + kind);
     if (!request.images) continue;
-    for (const CameraState& state : request.session.cameras) {
-      if (test == 0) files.push_back(referenceImage(folder, state.camera.name));
-      files.push_back(testImage(folder, test, state.camera.name));
+    const std::vector<int>& frames = request.frames;
+    for (std::size_t view = 0; view < request.session.cameras.size(); ++view) {
+      const std::string& state = request.session.cameras[view].camera.name;
+      const std::string name =
+          frames.empty() ? state : pictureName(state, frames[view], frames.back());
+      if (test == 0) files.push_back(referenceImage(folder, name));
+      files.push_back(testImage(folder, test, name));
     }
   }
   return files;
@@ -200,7 +216,8 @@ std::vector<fs::path> picturesOf(const fs::path& folder, const std::vector<Repor
       for (const char* ending : {"_reference", "_test", "_difference"})
         files.push_back(viewFile(folder, {row, test, which}, ending));
   if (files.empty())
-    files = {referenceImage(folder, rows[row].state), testImage(folder, test, rows[row].state)};
+    files = {referenceImage(folder, pictureName(rows, row)),
+             testImage(folder, test, pictureName(rows, row))};
   const bool areThere =
       std::ranges::all_of(files, [](const fs::path& file) { return fs::exists(file); });
   return areThere ? files : std::vector<fs::path>();
@@ -218,10 +235,10 @@ void writeTables(const fs::path& folder, const Report& report, const MetricSet& 
   writeTextFile(folder / "report.csv", reportCsv(report.rows, metrics));
 }
 
-void writeImages(const fs::path& folder, std::size_t test, const std::string& state,
+void writeImages(const fs::path& folder, std::size_t test, const std::string& name,
                  const ViewPair& pair, const Progress& progress) {
-  const fs::path reference = referenceImage(folder, state);
-  const fs::path own = testImage(folder, test, state);
+  const fs::path reference = referenceImage(folder, name);
+  const fs::path own = testImage(folder, test, name);
   makeFolder(reference.parent_path());
   makeFolder(own.parent_path());
   if (test == 0) writeImage(reference, pair.reference, progress);

@@ -35,9 +35,12 @@ std::vector<std::filesystem::path> picturesOf(const std::filesystem::path& folde
 std::vector<std::size_t> worstFirst(const std::vector<ReportRow>& rows, const ReportOrder& order,
                                     std::size_t test);
 
-/// Writes a state's FOLDER/testN/NAME.png, N from 1, and for the first test
+/// Returns the name of a row's pictures: its state's, or "STATE.frame0010".
+std::string pictureName(const std::vector<ReportRow>& rows, std::size_t row);
+
+/// Writes a view's FOLDER/testN/NAME.png, N from 1, and for the first test
 /// FOLDER/reference/NAME.png.
-void writeImages(const std::filesystem::path& folder, std::size_t test, const std::string& state,
+void writeImages(const std::filesystem::path& folder, std::size_t test, const std::string& name,
                  const ViewPair& pair, const Progress& progress);
 
 /// Writes FOLDER/panel_error/testN_hogels.exr and .png, testN_directions.exr and .png, and, if

@@ -59,6 +59,9 @@ StoredReport readReport(const fs::path& folder, const MetricSet& metrics) {
          table.cell(line, "test"),
          metrics.noValues(),
          {table.number(line, "eye_x"), table.number(line, "eye_y"), table.number(line, "eye_z")}});
+  for (std::size_t line = 0; line < table.lines(); ++line)
+    if (const auto frame = numberOf(table.cell(line, "frame")))
+      report.rows[line].frame = int(*frame);
   const std::vector<std::string> tests = testsOf(report.rows);
   for (std::size_t k = 0; k < report.rows.size(); ++k)
     if (report.rows[k].test.empty() || report.rows[k].test != tests[k % tests.size()] ||

@@ -32,6 +32,7 @@ struct ReportRequest {
   std::string name;                        ///< of the session, for the page's heading
   std::string sessionFile;                 ///< empty if the session was not read from a file
   Session session;                         ///< its states are rendered; its tolerance is ignored
+  std::vector<int> frames{};               ///< of each state; empty for a still (takeFrames())
   std::shared_ptr<LightFieldFile> file{};  ///< of the session; makeReport() opens it if null
   std::vector<ReportTest> tests;
   std::vector<RateGroup> groups;
@@ -47,8 +48,9 @@ struct ReportRequest {
   /// The part of one of several processes: its states' rows and sums stay in the folder for the run
   /// without a shard, which writes the report.
   std::optional<Shard> shard{};
-  std::size_t memory = allowedMemory();   ///< bytes for light fields, in addition to the images
-  std::optional<ViewSource> reference{};  ///< the session's light field, if already in memory
+  std::size_t memory = allowedMemory();  ///< bytes for light fields, in addition to the images
+  /// The session's light field, if already in memory; not used for one in time.
+  std::optional<ViewSource> reference{};
 };
 
 /// The order of a report's rows: by state, then by test.

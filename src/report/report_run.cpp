@@ -5,12 +5,15 @@
 #include <atomic>
 #include <chrono>
 #include <limits>
+#include <map>
+#include <mutex>
 #include <new>
 #include <set>
 
 #include "core/base/parallel.h"
 #include "core/base/progress.h"
 #include "core/base/text.h"
+#include "core/metrics/flicker.h"
 #include "io/documents/session_file.h"
 #include "io/files/atomic_file.h"
 #include "io/files/files_in_use.h"
@@ -19,6 +22,7 @@
 #include "report/panel_projection.h"
 #include "report/report_facts.h"
 #include "report/report_files.h"
+#include "report/report_frames.h"
 #include "report/report_moves.h"
 #include "report/view_pairs.h"
 #include "runs/journal.h"
@@ -56,12 +60,21 @@ class ReportRun {
 
  private:
   void takeUp();
-  void readLightFields(std::size_t test);
-  [[nodiscard]] std::vector<std::size_t> openStates(std::size_t test) const;
-  void runTest(std::size_t test);
+  void readLightFields(std::size_t test, std::size_t frame);
+  [[nodiscard]] bool isOpen(std::size_t test, std::size_t state) const;
+  [[nodiscard]] std::vector<std::size_t> statesToRender(std::size_t test,
+                                                        const FrameViews& frame) const;
+  [[nodiscard]] std::vector<FrameViews> framesToRead() const;
+  void runTest(std::size_t test, std::size_t frame);
+  void finishTest(std::size_t test);
+  void finishFrames();
+  void readAgain(std::size_t test, std::size_t state);
+  void setFlicker(std::size_t test, std::size_t state, const ViewPair& pair,
+                  std::vector<double>& values);
   void runState(std::size_t test, std::size_t state, std::size_t worker);
   void compareState(std::size_t test, std::size_t state, std::size_t worker, const ViewPair& pair);
   void showViews(std::size_t test);
+  void setKilobits();
   void writeAll();
 
   [[nodiscard]] std::size_t states() const { return m_request.session.cameras.size(); }
@@ -69,7 +82,10 @@ class ReportRun {
     return m_folder / ("report.panel" + std::to_string(test + 1) + endingOf(shard));
   }
   /// The estimated cost of reading a light field, in states, for the progress bar.
-  [[nodiscard]] double readingSteps() const { return 1 + 0.1 * double(states()); }
+  [[nodiscard]] double readingSteps() const {
+    return 1 + 0.1 * double(states()) / double(m_frames.size());
+  }
+  [[nodiscard]] bool isInTime() const { return !m_request.frames.empty(); }
   [[nodiscard]] std::size_t rowOf(std::size_t test, std::size_t state) const {
     return ReportOrder{m_request.tests.size()}.row(state, test);
   }
@@ -82,6 +98,13 @@ class ReportRun {
   ReportFacts m_facts;
   RunRows m_rows;
   std::vector<std::unique_ptr<PanelProjection>> m_projections;  ///< of each test
+  ShardOfViews m_shard;
+  std::vector<FrameViews> m_frames;                  ///< those that are read
+  std::vector<std::optional<std::size_t>> m_before;  ///< viewsBefore()
+  std::vector<std::optional<std::size_t>> m_after;   ///< the same the other way round
+  /// Of each test the differences of the last two frames' views, by their number.
+  std::vector<std::map<std::size_t, FrameDifference>> m_differences;
+  std::mutex m_differencesMutex;
   std::size_t m_workers;
   ViewPairs m_pairs;
   std::vector<ReportView> m_views;
@@ -97,7 +120,27 @@ class ReportRun {
 /// parallel.
 std::size_t workersFor(const ReportRequest& request) {
   const auto threads = std::size_t(threadCount());
-  return request.session.cameras.size() < 2 * threads ? 1 : threads;
+  std::size_t most = 0;
+  for (const FrameViews& frame : framesOf(request)) most = std::max(most, frame.end - frame.begin);
+  return most < 2 * threads ? 1 : threads;
+}
+
+/// Throws InputError if the differences of two frames do not fit in memory.
+void checkDifferences(const ReportRequest& request) {
+  if (request.frames.empty()) return;
+  double most = 0;
+  for (const FrameViews& frame : framesOf(request)) {
+    double bytes = 0;
+    for (std::size_t view = frame.begin; view < frame.end; ++view) {
+      const auto [width, height] = request.session.cameras[view].camera.res;
+      bytes += 2.0 * double(request.tests.size()) * (3 * sizeof(float) + 1) * width * height;
+    }
+    most = std::max(most, bytes);
+  }
+  if (most > double(machineMemory()) / 2)
+    throw InputError("cameras", "the differences of their pictures at two frames need " +
+                                    bytesText(std::size_t(most)) + " of memory, this machine has " +
+                                    bytesText(machineMemory()) + ": take fewer states");
 }
 
 fs::path makeOutputFolder(const fs::path& folder) {
@@ -114,8 +157,16 @@ ReportRun::ReportRun(const ReportRequest& request, const ReportListener& listene
       m_facts(factsOf(request, m_hashes, m_progress.within())),
       m_rows(m_folder, {m_facts.key, states(), request.tests.size()}, request.shard,
              request.metrics.columns().size()),
+      m_shard(request),
+      m_frames(framesOf(request)),
+      m_before(viewsBefore(request)),
+      m_after(m_before.size()),
+      m_differences(request.tests.size()),
       m_workers(workersFor(request)),
       m_pairs(request, m_workers, m_workers == 1 ? parallelRows : serialRows) {
+  checkDifferences(request);
+  for (std::size_t view = 0; view < states(); ++view)
+    if (m_before[view]) m_after[*m_before[view]] = view;
   m_report.rows.resize(states() * request.tests.size());
   std::vector<std::string> files;
   for (const ReportTest& test : request.tests) files.push_back(test.name);
@@ -129,9 +180,11 @@ void ReportRun::takeUp() {
   const std::vector<ReportTest>& tests = m_request.tests;
   for (std::size_t state = 0; state < states(); ++state) {
     const CameraParams& camera = m_request.session.cameras[state].camera;
-    for (std::size_t test = 0; test < tests.size(); ++test)
-      m_report.rows[rowOf(test, state)] = {
-          camera.name, tests[test].name, {}, camera.eye, camera.weight};
+    for (std::size_t test = 0; test < tests.size(); ++test) {
+      ReportRow& row = m_report.rows[rowOf(test, state)];
+      row = {camera.name, tests[test].name, {}, camera.eye, camera.weight};
+      if (isInTime()) row.frame = m_request.frames[state];
+    }
   }
   for (const auto& [index, entry] : m_rows.taken()) {
     m_report.rows[index].values = entry.values;
@@ -159,7 +212,8 @@ void ReportRun::compareState(std::size_t test, std::size_t state, std::size_t wo
   if (pair.problem.empty()) {
     if (m_request.images)
       m_writing.of([&] {
-        writeImages(m_folder, test, row.state, pair, m_progress.within());
+        writeImages(m_folder, test, pictureName(m_report.rows, rowOf(test, state)), pair,
+                    m_progress.within());
         return 0;
       });
     if (!seesAnything(pair.reference) && !seesAnything(pair.test))
@@ -174,6 +228,7 @@ void ReportRun::compareState(std::size_t test, std::size_t state, std::size_t wo
       } catch (const std::bad_alloc&) {
         row.problem = "not enough memory to compare its pictures";
       }
+    if (isInTime()) setFlicker(test, state, pair, row.values);
     if (m_request.isAgainstDesign && row.problem.empty())
       std::ranges::copy(moveValues(m_pairs.moves(state, worker, m_progress.within())),
                         row.values.end() - 2);
@@ -185,13 +240,46 @@ void ReportRun::compareState(std::size_t test, std::size_t state, std::size_t wo
   });
 }
 
+/// Sets the error of the change since the frame before.
+void ReportRun::setFlicker(std::size_t test, std::size_t state, const ViewPair& pair,
+                           std::vector<double>& values) {
+  const FrameDifference* before = nullptr;
+  {
+    const std::lock_guard lock(m_differencesMutex);
+    auto& known = m_differences[test];
+    const auto at = m_before[state] ? known.find(*m_before[state]) : known.end();
+    if (at != known.end()) before = &at->second;
+  }
+  if (before == nullptr) return;
+  const FlickerError error = flickerError(*before, frameDifference(pair.reference, pair.test));
+  const auto& columns = m_request.metrics.columns();
+  const auto column =
+      std::ranges::find(columns, flickerMetric().columns[0].name, &MetricColumn::name);
+  std::ranges::copy(flickerValues(error), values.begin() + (column - columns.begin()));
+}
+
 void ReportRun::runState(std::size_t test, std::size_t state, std::size_t worker) {
   const ViewPair pair =
       m_rendering.of([&] { return m_pairs.render(state, worker, m_progress.within()); });
+  if (m_after.at(state) && pair.problem.empty()) {
+    FrameDifference difference = frameDifference(pair.reference, pair.test);
+    const std::lock_guard lock(m_differencesMutex);
+    m_differences[test][state] = std::move(difference);
+  }
+  if (!isOpen(test, state)) return;  // only the next frame needs it
   // The row may be on disk already if the projection was saved before it.
   if (!m_rows.has(rowOf(test, state))) compareState(test, state, worker, pair);
   m_projections[test]->add(state, worker, pair, m_pairs, m_progress.within());
   m_progress.finish();
+}
+
+/// Reads the frame of a state for pictures of it.
+void ReportRun::readAgain(std::size_t test, std::size_t state) {
+  for (const FrameViews& frame : framesOf(m_request)) {
+    if (state < frame.begin || state >= frame.end) continue;
+    m_pairs.expect({frame});
+    m_pairs.read(test, 0, m_progress.within());
+  }
 }
 
 /// Writes the worst, the median and the best of a test's views.
@@ -199,9 +287,10 @@ void ReportRun::showViews(std::size_t test) {
   const std::vector<std::size_t> order =
       worstFirst(m_report.rows, ReportOrder{m_request.tests.size()}, test);
   const auto show = [&](const char* which, std::size_t state) {
+    if (isInTime()) readAgain(test, state);
     const ViewPair pair = m_pairs.render(state, 0, m_progress.within());
     const ReportRow& row = m_report.rows[rowOf(test, state)];
-    const SheetLabels labels{row.state, m_names[test], row.values[psnrSeenColumn]};
+    const SheetLabels labels{viewName(row), m_names[test], row.values[psnrSeenColumn]};
     m_views.push_back(m_writing.of([&] {
       return writeView(m_folder, {rowOf(test, state), test, which},
                        roomForView(m_views, m_request.tests.size()), pair, labels,
@@ -221,49 +310,87 @@ void saveQuietly(PanelProjection& projection) {
   }
 }
 
-/// Returns the states of a test that are not finished yet.
-std::vector<std::size_t> ReportRun::openStates(std::size_t test) const {
-  std::vector<std::size_t> open;
-  for (std::size_t state = 0; state < states(); ++state)
-    if ((!m_request.shard || m_request.shard->has(state)) &&
-        (!m_rows.has(rowOf(test, state)) || !m_projections[test]->has(state)))
-      open.push_back(state);
-  return open;
+/// Whether a state of this run is not finished yet.
+bool ReportRun::isOpen(std::size_t test, std::size_t state) const {
+  return m_shard.has(state) &&
+         (!m_rows.has(rowOf(test, state)) || !m_projections[test]->has(state));
 }
 
-void ReportRun::readLightFields(std::size_t test) {
-  const bool isFirst = test == 0;
-  if (isFirst && m_request.reference) m_pairs.setReference(*m_request.reference);
-  const double steps = (isFirst && !m_request.reference ? 2 : 1) * readingSteps();
-  m_pairs.read(m_request.tests[test], m_progress.of(steps));
+/// Returns a frame's states that are open, or whose next frame is.
+std::vector<std::size_t> ReportRun::statesToRender(std::size_t test,
+                                                   const FrameViews& frame) const {
+  std::vector<std::size_t> states;
+  for (std::size_t state = frame.begin; state < frame.end; ++state)
+    if (isOpen(test, state) || (m_after[state] && isOpen(test, *m_after[state])))
+      states.push_back(state);
+  return states;
+}
+
+/// Returns the frames of which something is to be rendered; a still always.
+std::vector<FrameViews> ReportRun::framesToRead() const {
+  std::vector<FrameViews> frames;
+  for (const FrameViews& frame : framesOf(m_request)) {
+    bool isNeeded = !isInTime();
+    for (std::size_t test = 0; test < m_request.tests.size(); ++test)
+      isNeeded = isNeeded || !statesToRender(test, frame).empty();
+    if (isNeeded) frames.push_back(frame);
+  }
+  return frames;
+}
+
+void ReportRun::readLightFields(std::size_t test, std::size_t frame) {
+  const bool isReferenceKnown = m_request.reference && !isInTime();
+  const bool isFirst = test == 0 && (frame == 0 || isInTime());
+  if (isFirst && isReferenceKnown) m_pairs.setReference(*m_request.reference);
+  const double steps = (isFirst && !isReferenceKnown ? 2 : 1) * readingSteps();
+  m_pairs.read(test, frame, m_progress.of(steps));
   m_progress.finish(steps);
-  if (!m_listener.loaded) return;
-  if (isFirst && !m_request.reference) m_listener.loaded(m_pairs.reference());
+  if (!m_listener.loaded || frame > 0) return;
+  if (isFirst && !isReferenceKnown) m_listener.loaded(m_pairs.reference());
   m_listener.loaded(m_pairs.test());
 }
 
-void ReportRun::runTest(std::size_t test) {
-  const std::vector<std::size_t> open = openStates(test);
-  if (m_request.shard && open.empty()) return;
-  readLightFields(test);
+void ReportRun::runTest(std::size_t test, std::size_t frame) {
+  const std::vector<std::size_t> open = statesToRender(test, m_frames[frame]);
+  if (m_request.shard && open.empty() && !isInTime()) return;
+  readLightFields(test, frame);
   try {
     sideBySide(open.size(), m_workers,
                [&](std::size_t k, std::size_t worker) { runState(test, open[k], worker); });
   } catch (...) {
-    saveQuietly(*m_projections[test]);
+    for (const auto& projection : m_projections) saveQuietly(*projection);
     throw;
   }
+  std::erase_if(m_differences[test],
+                [&](const auto& each) { return each.first < m_frames[frame].begin; });
+  if (!isInTime()) finishTest(test);
+}
+
+/// Shows views of a still's test while its light fields are in memory.
+void ReportRun::finishTest(std::size_t test) {
   m_projections[test]->save();
   if (m_request.shard) return;
   showViews(test);
   m_viewErrors.push_back(m_comparing.of([&] { return m_pairs.viewErrors(m_progress.within()); }));
 }
 
+/// Shows views of all tests of a light field in time, whose frames are read again.
+void ReportRun::finishFrames() {
+  for (const auto& projection : m_projections) projection->save();
+  if (m_request.shard) return;
+  for (std::size_t test = 0; test < m_request.tests.size(); ++test) {
+    showViews(test);
+    m_viewErrors.emplace_back();  // light fields in time are not in memory as a whole
+  }
+}
+
 /// Certifies the lenses of all states, equal ones once.
 std::vector<ReportLens> certifyAll(const Session& session, const Progress& progress) {
   std::vector<std::pair<LensKey, LensCertificate>> known;
   std::vector<ReportLens> lenses;
+  std::set<std::string> names;
   for (const CameraState& state : session.cameras) {
+    if (!names.insert(state.camera.name).second) continue;  // at another frame
     const LensKey key = lensKeyOf(state, session.sampling);
     auto same = std::ranges::find(known, key, &std::pair<LensKey, LensCertificate>::first);
     if (same == known.end())
@@ -273,8 +400,23 @@ std::vector<ReportLens> certifyAll(const Session& session, const Progress& progr
   return lenses;
 }
 
+/// Sets the rates in kbit/s of tests whose rate and frames a second are known.
+void ReportRun::setKilobits() {
+  if (!isInTime()) return;
+  for (std::size_t test = 0; test < m_request.tests.size(); ++test) {
+    const ReportTest& one = m_request.tests[test];
+    const double perSecond = frameRateOf(one.session.lightField, *one.file);
+    const LightFieldSize size = one.file->size();
+    TestSummary& summary = m_report.summaries[test];
+    if (summary.rate && perSecond > 0)
+      summary.kilobits =
+          *summary.rate * double(size.width()) * double(size.height()) * perSecond / 1000;
+  }
+}
+
 void ReportRun::writeAll() {
   m_report.summaries = summariseTests(m_report.rows, m_request.metrics, m_request.groups);
+  setKilobits();
   m_report.comparisons = bdRows(m_report.summaries, m_request.metrics, m_request.groups);
   const PanelParams& display = m_pairs.reference().display;
   ReportPage page{m_request.name,
@@ -314,10 +456,15 @@ void ReportRun::writeAll() {
 
 Report ReportRun::run() {
   const std::size_t tests = m_request.tests.size();
-  m_progress.expect(double(tests + 1) * readingSteps());
-  for (std::size_t test = 0; test < tests; ++test)
-    m_progress.expect(double(openStates(test).size()));
-  for (std::size_t test = 0; test < tests; ++test) runTest(test);
+  m_frames = framesToRead();
+  m_pairs.expect(m_frames);
+  m_progress.expect(double(m_frames.size()) * double(tests + 1) * readingSteps());
+  for (const FrameViews& frame : m_frames)
+    for (std::size_t test = 0; test < tests; ++test)
+      m_progress.expect(double(statesToRender(test, frame).size()));
+  for (std::size_t frame = 0; frame < m_frames.size(); ++frame)
+    for (std::size_t test = 0; test < tests; ++test) runTest(test, frame);
+  if (isInTime()) finishFrames();
   if (!m_request.shard) writeAll();
   m_report.rendering = m_rendering.seconds();
   m_report.comparing = m_comparing.seconds();
@@ -345,7 +492,8 @@ std::optional<double> rateOfFiles(const ReportTest& test) {
       if (!error) bytes += double(size);
     }
   if (!(bytes > 0)) return std::nullopt;
-  return 8 * bytes / (double(test.file->size().width()) * double(test.file->size().height()));
+  return 8 * bytes / (double(test.file->size().width()) * double(test.file->size().height())) /
+         double(test.file->framesInFiles());
 }
 
 std::vector<fs::path> inputsOf(const ReportRequest& request) {

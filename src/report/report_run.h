@@ -22,8 +22,8 @@ std::vector<ReportTest> openTests(const Session& session, const std::vector<std:
 /// Returns all files that a report reads, with what its light fields are made of.
 std::vector<std::filesystem::path> inputsOf(const ReportRequest& request);
 
-/// Returns the bits of the files with pixels per directional pixel; other files of a folder do not
-/// count. None if the light field has no files.
+/// Returns the bits of the files with pixels per directional pixel and frame; other files of a
+/// folder do not count. None if the light field has no files.
 std::optional<double> rateOfFiles(const ReportTest& test);
 
 /// Writes report.csv, metrics.csv, summary.csv, bd.csv, report.html, panel_error/, and with

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include "core/base/text.h"
 
@@ -35,7 +36,20 @@ Table tableOf(const std::vector<ReportRow>& rows, const Columns& columns,
   return table;
 }
 
+/// Adds the column of the frames, if there are any, and returns the file.
+std::string textWithFrames(Table table, const std::vector<ReportRow>& rows) {
+  if (rows.empty() || !rows.front().frame) return csvText(table);
+  table[0].emplace_back("frame");
+  for (std::size_t k = 0; k < rows.size(); ++k)
+    table[k + 1].push_back(std::to_string(rows[k].frame.value_or(0)));
+  return csvText(table);
+}
+
 }  // namespace
+
+std::string viewName(const ReportRow& row) {
+  return row.frame ? row.state + ", frame " + std::to_string(*row.frame) : row.state;
+}
 
 std::string reportCsv(const std::vector<ReportRow>& rows, const MetricSet& metrics) {
   Table table = tableOf(rows, reportColumns, metrics);
@@ -43,7 +57,7 @@ std::string reportCsv(const std::vector<ReportRow>& rows, const MetricSet& metri
   for (std::size_t k = 0; k < rows.size(); ++k)
     for (const double place : {rows[k].eye.x, rows[k].eye.y, rows[k].eye.z})
       table[k + 1].push_back(numberText(place));
-  return csvText(table);
+  return textWithFrames(std::move(table), rows);
 }
 
 std::string metricsCsv(const std::vector<ReportRow>& rows, const MetricSet& metrics) {
@@ -51,7 +65,7 @@ std::string metricsCsv(const std::vector<ReportRow>& rows, const MetricSet& metr
   table[0].insert(table[0].end(), {"weight", "problem"});
   for (std::size_t k = 0; k < rows.size(); ++k)
     table[k + 1].insert(table[k + 1].end(), {numberText(rows[k].weight), rows[k].problem});
-  return csvText(table);
+  return textWithFrames(std::move(table), rows);
 }
 
 }  // namespace hogelscope

@@ -135,6 +135,15 @@ double rankCorrelation(const std::vector<double>& a, const std::vector<double>& 
   return correlation(ranksOf(x), ranksOf(y));
 }
 
+double percentile(std::vector<double> values, double percent) {
+  if (values.empty()) return unknownFigure;
+  std::ranges::sort(values);
+  const double rank = percent / 100 * double(values.size() - 1);
+  const auto below = std::size_t(rank);
+  const double above = values[std::min(below + 1, values.size() - 1)];
+  return values[below] + (rank - double(below)) * (above - values[below]);
+}
+
 Histogram lumaHistogram(const Image& image) {
   Histogram counts{};
   for (std::size_t k = 0; k < image.pixelCount(); ++k) {

@@ -56,6 +56,10 @@ double correlation(const std::vector<double>& a, const std::vector<double>& b);
 /// the sizes differ.
 double rankCorrelation(const std::vector<double>& a, const std::vector<double>& b);
 
+/// Returns the value below which so many percent of the values lie, interpolated linearly between
+/// their ranks as by numpy.percentile; NaN for none.
+double percentile(std::vector<double> values, double percent);
+
 /// Pixel counts by luma, 0 … 255.
 using Histogram = std::array<std::size_t, 256>;
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <map>
 #include <utility>
 
 #include "core/base/text.h"
@@ -53,12 +54,15 @@ std::vector<double> sumsOf(const ReportRow& row, const MetricSet& metrics) {
   return sums;
 }
 
-/// Returns a bootstrap unit for each state, because a viewer's observations are drawn as a whole.
+/// Returns a bootstrap unit for each state, and frame, because a viewer's observations are drawn as
+/// a whole.
 std::vector<std::vector<double>> unitsOf(const std::vector<ReportRow>& rows,
                                          const MetricSet& metrics) {
   std::vector<std::vector<double>> units;
   for (std::size_t k = 0; k < rows.size(); ++k) {
-    if (k > 0 && rows[k].state == rows[k - 1].state)  // adjacent in a report
+    const bool isSameView = k > 0 && rows[k].state == rows[k - 1].state &&
+                            rows[k].frame == rows[k - 1].frame;  // adjacent in a report
+    if (isSameView)
       addTo(units.back(), sumsOf(rows[k], metrics));
     else
       units.push_back(sumsOf(rows[k], metrics));
@@ -86,7 +90,8 @@ void addRows(Table& table, const TestSummary& summary, const MetricSet& metrics)
   const auto addWorst = [&](const char* figure, std::optional<std::size_t> row, MetricIndex column,
                             bool isSeen) {
     if (row)
-      add(figure, {summary.rows[*row].values[column]}, regionOf(isSeen), summary.rows[*row].state);
+      add(figure, {summary.rows[*row].values[column]}, regionOf(isSeen),
+          viewName(summary.rows[*row]));
   };
   add("views", {double(summary.rows.size())});
   add("identical_views", {double(summary.summary.identical)});
@@ -103,6 +108,51 @@ void addRows(Table& table, const TestSummary& summary, const MetricSet& metrics)
   addWorst("worst_psnr", summary.summary.worstFrame, psnrColumn, false);
   addWorst("worst_psnr_seen", summary.summary.worst, psnrSeenColumn, true);
   if (summary.rate) add("rate_bpp", {*summary.rate});
+  if (summary.kilobits) add("rate_kbps", {*summary.kilobits});
+}
+
+/// Returns what stands behind "mean_" in a mean's name; "" for other means.
+std::string figureOf(const MetricMean& mean) {
+  constexpr std::string_view start = "mean_";
+  return mean.ofMean == nullptr && mean.name.starts_with(start) ? mean.name.substr(start.size())
+                                                                : std::string();
+}
+
+/// Adds to summary.csv what the frames of a light field in time have: of each figure the worst and
+/// the 5th percentile; of one state, if it is given, its means too.
+void addFrames(Table& table, const std::string& test, const std::vector<ReportRow>& rows,
+               const std::string& state, const MetricSet& metrics) {
+  const auto add = [&](const std::string& figure, double value, bool isSeen) {
+    table.push_back({test, figure, numberText(value), "", "", "", "", "", state, regionOf(isSeen)});
+  };
+  const ReportSummary summary = summariseRows(rows, metrics);
+  for (std::size_t k = 0; k < metrics.means().size(); ++k) {
+    const MetricMean& mean = metrics.means()[k];
+    if (!state.empty()) add(mean.name, summary.means[k], mean.isSeen);
+    const std::string figure = figureOf(mean);
+    if (figure.empty()) continue;
+    std::vector<double> values;
+    for (const ReportRow& row : rows)
+      if (row.problem.empty() && std::isfinite(row.values[mean.column]))
+        values.push_back(row.values[mean.column]);
+    const bool isWorstAdded = mean.column == psnrColumn || mean.column == psnrSeenColumn;
+    if (!values.empty() && !mean.mayFall && (!state.empty() || !isWorstAdded))
+      add("worst_" + figure, std::ranges::min(values), mean.isSeen);
+    add("p5_" + figure, percentile(std::move(values), 5), mean.isSeen);
+  }
+}
+
+/// Adds them for a test and for each of its states.
+void addFrames(Table& table, const TestSummary& summary, const MetricSet& metrics) {
+  addFrames(table, summary.test, summary.rows, "", metrics);
+  std::vector<std::string> states;
+  std::map<std::string, std::vector<ReportRow>> rows;
+  for (const ReportRow& row : summary.rows) {
+    if (!rows.contains(row.state)) states.push_back(row.state);
+    rows[row.state].push_back(row);
+  }
+  for (const std::string& state : states)
+    addFrames(table, summary.test, rows[state], state, metrics);
 }
 
 /// A comparison of two groups by one mean: the indices of their tests in the summaries.
@@ -304,7 +354,10 @@ std::vector<BdRow> bdRows(const std::vector<TestSummary>& summaries, const Metri
 std::string summaryCsv(const std::vector<TestSummary>& summaries, const MetricSet& metrics) {
   Table table =
       csvRows("test,figure,value,low,high,weighted,weighted_low,weighted_high,state,over");
-  for (const TestSummary& summary : summaries) addRows(table, summary, metrics);
+  for (const TestSummary& summary : summaries) {
+    addRows(table, summary, metrics);
+    if (!summary.rows.empty() && summary.rows.front().frame) addFrames(table, summary, metrics);
+  }
   return csvText(table);
 }
 

@@ -40,13 +40,14 @@ struct TestSummary {
   ReportSummary summary;
   /// 95 % intervals of the means, then of the weighted means.
   std::vector<Interval> intervals;
-  std::optional<double> rate;  ///< bits per directional pixel
+  std::optional<double> rate;  ///< bits per directional pixel, of a light field in time per frame
+  std::optional<double> kilobits{};  ///< in a second, of a light field in time
 
   [[nodiscard]] bool hasWeights() const;  ///< whether weighted means are others than plain ones
   [[nodiscard]] MeansOfTest means(bool isWeighted) const;
 };
 
-/// A test light field's bits per directional pixel.
+/// A test light field's bits per directional pixel, and frame.
 struct TestRate {
   std::string test;
   double rate = 0;

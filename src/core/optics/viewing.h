@@ -3,6 +3,7 @@
 #pragma once
 
 #include <limits>
+#include <optional>
 #include <string>
 
 #include "core/optics/sampling.h"
@@ -17,6 +18,7 @@ struct Viewing {
   double pixelsPerDegree = std::numeric_limits<double>::quiet_NaN();
   double distance = std::numeric_limits<double>::quiet_NaN();  ///< eye to panel's centre, metres
   std::string state{};                                         ///< its name
+  std::optional<int> frame{};                                  ///< of a light field in time
 };
 
 /// Returns the viewing conditions of one state (docs/formulas.md, Metrics). Throws InputError if

@@ -24,7 +24,7 @@ std::string captioned(const std::string& png, const std::string& file, const std
 
 std::string viewFigure(const ReportView& view, const ReportRow& row) {
   const double db = row.values[psnrSeenColumn];
-  std::string caption = view.which + " view: " + row.state + ": PSNR " + rounded(db, 2) +
+  std::string caption = view.which + " view: " + viewName(row) + ": PSNR " + rounded(db, 2) +
                         (db < 1e6 ? " dB" : "") + ", SSIM " +
                         rounded(row.values[ssimSeenColumn], 4);
   if (caption[0] >= 'a' && caption[0] <= 'z') caption[0] = char(caption[0] - 'a' + 'A');
@@ -195,6 +195,7 @@ std::vector<Figure> figuresOf(const ReportPage& page) {
   const auto add = [&](std::vector<Figure> more) {
     std::ranges::move(more, std::back_inserter(figures));
   };
+  add(frameFigures(page.rows, page.metrics));
   add(unitsOf(page));
   const std::size_t tests = testsOf(page.rows).size();
   for (std::size_t test = 0; test < tests; ++test)
@@ -222,6 +223,11 @@ std::string html(const ReportPage& page) {
     text += meansTable(page.summaries, page.metrics);
     for (const std::string& note : page.notes) text += "<p>" + escaped(note) + ".</p>\n";
   }
+  if (const std::vector<Figure> frames = frameFigures(page.rows, page.metrics); !frames.empty())
+    text +=
+        "<h2>Over time</h2>\n<p>Means over the states at each frame; flicker is the error of "
+        "the change since the frame before. The pointer over a point shows its figures.</p>\n" +
+        sideBySide(frames);
   text += overUnits(page);
   if (rates.size() > 1)
     text +=

@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <numbers>
 
 #include "core/base/text.h"
@@ -53,7 +54,7 @@ std::vector<ViewPoint> pointsOf(const std::vector<ReportRow>& rows, const std::s
 
 /// Returns the tooltip of a point.
 std::string titleOf(const ViewPoint& point, const ReportRow& row) {
-  std::string text = row.state + ": ";
+  std::string text = viewName(row) + ": ";
   if (point.kind == PlotKind::none) {
     text += row.problem.empty() ? "nothing to compare" : row.problem;
   } else {
@@ -235,7 +236,7 @@ Plot psnrPlot(const std::vector<ReportRow>& rows, const std::vector<std::string>
       const double state = 1 + double(point.row / all);
       series.points.push_back({isOverAngle ? angleOf(point.eye) : state, point.psnr,
                                titleOf(point, rows[point.row]), point.row});
-      series.points.back().name = rows[point.row].state + "  " + rounded(point.psnr, 1) + " dB";
+      series.points.back().name = viewName(rows[point.row]) + "  " + rounded(point.psnr, 1) + " dB";
     }
     series.radius = 0.8 * radiusFor(series.points.size());
   }
@@ -363,6 +364,58 @@ std::vector<Figure> cameraFigures(const std::vector<ReportRow>& rows, std::size_
     figures.push_back(figureOf(plot, name + (isOverAngle ? "_angle" : "_states"),
                                isOverAngle ? "PSNR over viewing angle" : "PSNR of the states",
                                csvOf(points, rows)));
+  return figures;
+}
+
+/// Returns the mean of a test's views at each frame: the frame, the mean, and its least view.
+struct FrameMean {
+  int frame = 0;
+  double mean = 0;
+  std::string worst;  ///< its state
+};
+std::vector<FrameMean> frameMeans(const std::vector<ReportRow>& rows, const std::string& test,
+                                  const MetricSet& metrics, std::size_t index) {
+  std::map<int, std::vector<ReportRow>> ofFrames;
+  for (const ReportRow& row : rows)
+    if (row.test == test && row.frame) ofFrames[*row.frame].push_back(row);
+  std::vector<FrameMean> means;
+  for (const auto& [frame, own] : ofFrames) {
+    const ReportSummary summary = summariseRows(own, metrics);
+    means.push_back({frame, summary.means[index], summary.worst ? own[*summary.worst].state : ""});
+  }
+  return means;
+}
+
+std::vector<Figure> frameFigures(const std::vector<ReportRow>& rows, const MetricSet& metrics) {
+  std::vector<Figure> figures;
+  if (rows.empty() || !rows.front().frame) return figures;
+  for (std::size_t k = 0; k < metrics.means().size(); ++k) {
+    if (!metrics.isHeadline(k)) continue;
+    const MetricMean& mean = metrics.means()[k];
+    Plot plot;
+    plot.titleAcross = "frame";
+    plot.titleUp = mean.title + (mean.unit.empty() ? "" : " in " + mean.unit);
+    plot.leastRange = {1, mean.unit == "dB" ? 1 : 1e-3};
+    plot.hasCurves = true;
+    Table table{{"test", "frame", mean.name}};
+    for (const std::string& test : testsOf(rows)) {
+      Plot::Series& series = plot.series.emplace_back(Plot::Series{test, {}, 2.5});
+      for (const auto& [frame, value, worst] : frameMeans(rows, test, metrics, k)) {
+        table.push_back({test, std::to_string(frame), numberCell(value)});
+        if (std::isnan(value)) continue;
+        series.points.push_back({double(frame),
+                                 value,
+                                 test + ", frame " + std::to_string(frame) + ": " +
+                                     rounded(value, mean.decimals) +
+                                     (worst.empty() ? "" : "; worst view " + worst),
+                                 0,
+                                 {value, value}});
+      }
+    }
+    if (hasNumbers(plot))
+      figures.push_back(
+          figureOf(plot, "frames_" + mean.name, mean.title + " over time", csvText(table)));
+  }
   return figures;
 }
 

@@ -43,6 +43,11 @@ Plot psnrPlot(const std::vector<ReportRow>& rows, const DisplayParams& display, 
 std::vector<Figure> cameraFigures(const std::vector<ReportRow>& rows, std::size_t test,
                                   const DisplayParams& display);
 
+/// Returns for each headline mean a figure frames_MEAN of its figure over the frames of a light
+/// field in time: the mean over the states at each frame, one curve for each test; empty for a
+/// still.
+std::vector<Figure> frameFigures(const std::vector<ReportRow>& rows, const MetricSet& metrics);
+
 /// Returns rate–distortion figures: each headline quality over bits per directional pixel, one
 /// curve for each group, with the 95 % intervals of the means; weighted means where states have
 /// weights. Empty without groups.

@@ -42,7 +42,7 @@ std::string counts(const TestSummary& test, bool hasBlind) {
   if (hasBlind) text += cell(std::to_string(test.summary.withoutView) + of);
   if (!test.summary.worst) return text + "<td></td><td></td>";
   const ReportRow& worst = test.rows[*test.summary.worst];
-  return text + cell(rounded(worst.values[psnrSeenColumn], 2)) + "<td>" + escaped(worst.state) +
+  return text + cell(rounded(worst.values[psnrSeenColumn], 2)) + "<td>" + escaped(viewName(worst)) +
          "</td>";
 }
 
@@ -133,7 +133,7 @@ std::vector<std::size_t> pageColumns(const MetricSet& metrics) {
 
 std::string stateRow(const ReportRow& row, const std::string& test, const MetricSet& metrics) {
   const std::vector<std::size_t> columns = pageColumns(metrics);
-  std::string text = "<tr><td>" + escaped(row.state) + "</td><td>" + escaped(test) + "</td>";
+  std::string text = "<tr><td>" + escaped(viewName(row)) + "</td><td>" + escaped(test) + "</td>";
   if (!row.problem.empty())
     return text + "<td colspan=\"" + std::to_string(columns.size()) + "\" class=\"problem\">" +
            escaped(row.problem) + "</td></tr>\n";
@@ -206,7 +206,7 @@ std::string testsText(const std::vector<TestSummary>& summaries) {
             ", mean SSIM " + rounded(means[meanSsimSeen], 4);
     if (test.summary.worst) {
       const ReportRow& worst = test.rows[*test.summary.worst];
-      text += ", worst " + rounded(worst.values[psnrSeenColumn], 2) + " dB: " + worst.state;
+      text += ", worst " + rounded(worst.values[psnrSeenColumn], 2) + " dB: " + viewName(worst);
     }
     text += "\n";
   }
@@ -227,8 +227,8 @@ std::string summaryText(const ReportSummary& summary, const std::vector<ReportRo
                      both(means[psnrOfMeanMseSeen], means[psnrOfMeanMse]) + "\n";
   if (summary.worst) {
     const ReportRow& row = rows[*summary.worst];
-    text += "worst view                " + decibels(row.values[psnrSeenColumn]) + ": " + row.state +
-            ", " + printable(row.test) + "\n";
+    text += "worst view                " + decibels(row.values[psnrSeenColumn]) + ": " +
+            viewName(row) + ", " + printable(row.test) + "\n";
   }
   text += "identical views           " + std::to_string(summary.identical) + of;
   if (summary.withoutView == 0) return text;

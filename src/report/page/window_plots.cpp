@@ -15,7 +15,7 @@ Plot::Point pointOf(const std::vector<ReportRow>& rows, std::size_t row) {
   Plot::Point point;
   point.row = row;
   point.up = rows[row].values[psnrSeenColumn];
-  point.name = rows[row].state + "  " + rounded(point.up, 1) + " dB";
+  point.name = viewName(rows[row]) + "  " + rounded(point.up, 1) + " dB";
   return point;
 }
 
