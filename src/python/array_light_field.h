@@ -20,6 +20,16 @@ struct ViewArray {
   const std::byte* data = nullptr;
   std::array<std::ptrdiff_t, 5> strides{};  ///< in bytes, of v, u, y, x, colour
   std::shared_ptr<const void> owner;        ///< keeps the memory
+  int frames = 1;
+  std::ptrdiff_t frameStride = 0;  ///< in bytes
+
+  /// Returns one of its frames as an array.
+  [[nodiscard]] ViewArray frame(int number) const {
+    ViewArray one = *this;
+    one.data += number * frameStride;
+    one.frames = 1;
+    return one;
+  }
 };
 
 /// Throws InputError for a value that is not finite, and Cancelled.
@@ -29,7 +39,7 @@ void checkFinite(const ViewArray& array, const Progress& progress);
 /// small one is copied into blocks, which are faster. The array must not change.
 class ArrayLightField : public LightFieldFile {
  public:
-  explicit ArrayLightField(ViewArray array) : m_array(std::move(array)) {}
+  explicit ArrayLightField(ViewArray array) : m_array(array.frame(0)), m_whole(std::move(array)) {}
 
   [[nodiscard]] LightFieldSize size() const override { return m_array.size; }
   [[nodiscard]] StoredType type() const override { return m_array.type; }
@@ -39,11 +49,14 @@ class ArrayLightField : public LightFieldFile {
   [[nodiscard]] std::shared_ptr<const LightFieldSource> source(const SourceUse& use,
                                                                const Progress& progress) override;
   void stream(const HogelRow& row, const Progress& progress) override;
+  [[nodiscard]] FrameNumbers frames() const override { return {0, m_whole.frames - 1, 1}; }
+  void select(int frame) override { m_array = m_whole.frame(frame); }
   /// Whether it is small enough for that.
   [[nodiscard]] bool isCopied() const;
 
  private:
-  ViewArray m_array;
+  ViewArray m_array;  ///< the frame that is read
+  ViewArray m_whole;
 };
 
 }  // namespace hogelscope

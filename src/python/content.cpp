@@ -62,10 +62,20 @@ std::shared_ptr<Content> Content::openOf(const Session& session, const Progress&
                                    openLightField(session.lightField, session.display, progress));
 }
 
-std::shared_ptr<const LightFieldSource> Content::source(const Progress& progress) {
+std::shared_ptr<const LightFieldSource> Content::source(int frame, const Progress& progress) {
   const auto lock = lockFor(m_sourceMutex, progress);
-  if (!m_source) m_source = m_file->source({.threads = threadCount()}, progress);
+  if (m_source && m_frame == frame) return m_source;
+  m_source.reset();
+  m_file->select(frame);
+  m_source = m_file->source({.threads = threadCount()}, progress);
+  m_frame = frame;
   return m_source;
+}
+
+void Content::stream(int frame, const LightFieldFile::HogelRow& row, const Progress& progress) {
+  const auto lock = lockFor(m_sourceMutex, progress);
+  m_file->select(frame);
+  m_file->stream(row, progress);
 }
 
 bool Content::isFresh() const {

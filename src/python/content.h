@@ -35,8 +35,11 @@ class Content {
   /// Returns lines for the user.
   [[nodiscard]] const std::vector<std::string>& warnings() const { return m_warnings; }
 
-  /// Returns the texels, read on first use. Throws InputError, Cancelled.
-  std::shared_ptr<const LightFieldSource> source(const Progress& progress);
+  /// Returns the texels of a frame, read on first use; those of the last frame are kept. Throws
+  /// InputError, Cancelled.
+  std::shared_ptr<const LightFieldSource> source(int frame, const Progress& progress);
+  /// Streams a frame (LightFieldFile::stream()). Throws InputError, Cancelled.
+  void stream(int frame, const LightFieldFile::HogelRow& row, const Progress& progress);
   /// Whether the files are unchanged since they were opened.
   [[nodiscard]] bool isFresh() const;
   /// Whether it is an array, which cannot be opened again.
@@ -54,9 +57,10 @@ class Content {
   std::shared_ptr<LightFieldFile> m_file;
   std::vector<std::string> m_warnings;
   Kind m_kind;
-  std::string m_state;  ///< of the files when they were opened
-  std::timed_mutex m_sourceMutex;
+  std::string m_state;             ///< of the files when they were opened
+  std::timed_mutex m_sourceMutex;  ///< of the frame that is selected, too
   std::shared_ptr<const LightFieldSource> m_source;
+  int m_frame = 0;  ///< of m_source
 };
 
 /// The session's own; an open one; or a file, a folder or a session, as for --test.

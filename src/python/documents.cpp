@@ -9,6 +9,7 @@
 #include "io/files/files_in_use.h"
 #include "io/opening/session_around.h"
 #include "io/plugins/plugin_list.h"
+#include "io/scene/view_source.h"
 #include "python/bindings.h"
 #include "python/stoppable.h"
 
@@ -85,7 +86,8 @@ std::string cameras(const Document& document, const std::string& what,
   return stoppable(py::none(), [&](const Progress&) {
     Session session = sessionOf(document);
     const std::size_t before = session.cameras.size();
-    const CameraSet set = loadCameraSet(what, overrides);
+    CameraSet set = loadCameraSet(what, overrides);
+    set.keepsTimes = std::holds_alternative<Trace>(set.source) && isInTime(session);
     session = withCameras(session, set);
     const std::size_t first = before - (set.params.keepTemplate ? 0 : 1);
     session.cameras.erase(session.cameras.begin(), session.cameras.begin() + std::ptrdiff_t(first));

@@ -12,6 +12,7 @@
 #include "core/base/error.h"
 #include "core/base/text.h"
 #include "io/files/atomic_file.h"
+#include "report/report_frames.h"
 #include "report/view_pairs.h"
 #include "runs/journal.h"
 
@@ -87,6 +88,7 @@ py::tuple argumentsOf(const Question& asked) {
   info["pixels_per_degree"] = asked.viewing.pixelsPerDegree;
   info["distance"] = asked.viewing.distance;
   info["light"] = "encoded";
+  if (asked.viewing.frame) info["frame"] = *asked.viewing.frame;
   return py::make_tuple(picture(asked.reference), picture(asked.test), seen, info);
 }
 
@@ -244,8 +246,10 @@ void FunctionMetrics::findColumns(const ReportRequest& request, const InPython& 
   m_inPython = inPython;
   if (m_all.empty() || recall(request.output)) return;
   ViewPairs pairs(request, 1, parallelRows);
-  pairs.read(request.tests.front(), part(progress, 0, 0.8));
-  for (std::size_t state = 0; state < request.session.cameras.size(); ++state) {
+  const FrameViews first = framesOf(request).front();
+  pairs.expect({first});
+  pairs.read(0, 0, part(progress, 0, 0.8));
+  for (std::size_t state = first.begin; state < first.end; ++state) {
     const ViewPair pair = pairs.render(state, 0, part(progress, 0.8, 1));
     if (!pair.problem.empty() ||
         std::ranges::count(pair.reference.seen, 0) == std::ptrdiff_t(pair.reference.seen.size()))

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <optional>
 
 #include "core/base/error.h"
 #include "io/scene/view_source.h"
@@ -22,7 +23,7 @@ namespace {
 
 constexpr const char* wantedShape =
     "views in rows and columns are (dv, du, ny, nx, 3): rows of views from the top, columns from "
-    "the left, then the pixels of a view";
+    "the left, then the pixels of a view; with frames in front (T, dv, du, ny, nx, 3)";
 
 StoredType typeOf(const py::array& array) {
   if (py::isinstance<py::array_t<std::uint8_t>>(array)) return StoredType::uint8;
@@ -34,8 +35,14 @@ StoredType typeOf(const py::array& array) {
                        "byte order: array.astype(…) makes one");
 }
 
+/// Returns the number of the first axis of a frame: 1 if the array has several.
+int frameAxis(const py::array& array) {
+  return array.ndim() == 6 ? 1 : 0;
+}
+
 LightFieldSize sizeOf(const py::array& array) {
-  if (array.ndim() != 5 || array.shape(4) != 3)
+  const int first = frameAxis(array);
+  if (array.ndim() != 5 + first || array.shape(4 + first) != 3)
     throw InputError("array", "shape", "is " + shapeText(array) + "; " + wantedShape);
   const auto axis = [&](int k) {
     if (array.shape(k) < 1 || array.shape(k) > std::numeric_limits<std::int32_t>::max())
@@ -43,7 +50,8 @@ LightFieldSize sizeOf(const py::array& array) {
                        "is " + shapeText(array) + "; no size may be 0 or above 2^31");
     return int(array.shape(k));
   };
-  return {axis(3), axis(2), axis(1), axis(0)};
+  if (first > 0) (void)axis(0);
+  return {axis(3 + first), axis(2 + first), axis(1 + first), axis(first)};
 }
 
 /// Owns a reference that any thread may release.
@@ -77,12 +85,20 @@ std::shared_ptr<Content> fromArray(const py::object& value, const py::object& pr
                   static_cast<const std::byte*>(array.data()),
                   {},
                   ownerOf(array)};
-  std::copy_n(array.strides(), 5, views.strides.begin());
-  runStoppable(progress, [&](const Progress& hear) { checkFinite(views, hear); });
+  const int first = frameAxis(array);
+  std::copy_n(array.strides() + first, 5, views.strides.begin());
+  if (first > 0) {
+    views.frames = int(array.shape(0));
+    views.frameStride = array.strides(0);
+  }
+  runStoppable(progress, [&](const Progress& hear) {
+    for (int k = 0; k < views.frames; ++k) checkFinite(views.frame(k), hear);
+  });
   LightFieldParams params;
   params.file = "array";
   auto file = std::make_shared<ArrayLightField>(std::move(views));
-  const auto kind = file->isCopied() ? Content::Kind::copiedArray : Content::Kind::borrowedArray;
+  const bool isKept = file->isCopied() && file->frames().isStill();
+  const auto kind = isKept ? Content::Kind::copiedArray : Content::Kind::borrowedArray;
   return std::make_shared<Content>(params, DisplayParams{}, std::move(file),
                                    std::vector<std::string>{}, kind);
 }
@@ -98,9 +114,18 @@ std::shared_ptr<Content> openContent(const Document& document,
   });
 }
 
-std::array<std::size_t, 5> shapeOf(const Content& content) {
+/// Returns (dv, du, ny, nx, 3), of a light field in time with its frames in front.
+std::vector<std::size_t> shapeOf(const Content& content, bool isOneFrame = false) {
   const auto [nx, ny, du, dv] = content.file()->size();
-  return {std::size_t(dv), std::size_t(du), std::size_t(ny), std::size_t(nx), 3};
+  std::vector<std::size_t> shape{std::size_t(dv), std::size_t(du), std::size_t(ny), std::size_t(nx),
+                                 3};
+  const FrameNumbers frames = content.file()->frames();
+  if (!isOneFrame && !frames.isStill()) shape.insert(shape.begin(), frames.count());
+  return shape;
+}
+
+py::object rangeOf(const FrameNumbers& frames) {
+  return py::module_::import("builtins").attr("range")(frames.first, frames.last + 1, frames.step);
 }
 
 py::dtype dtypeOf(StoredType type) {
@@ -120,21 +145,37 @@ void putRow(const LightFieldSize& size, int j, int v, const T* rgb, T* views) {
     }
 }
 
-py::array toArray(Content& content, const py::object& progress) {
+/// Throws InputError if the light field has no such frame.
+void requireFrame(const FrameNumbers& frames, int frame) {
+  if (frames.has(frame)) return;
+  throw InputError("frame", std::to_string(frame) + " is not there: the frames are " +
+                                std::string(py::str(rangeOf(frames))));
+}
+
+py::array toArray(Content& content, const std::optional<int>& frame, const py::object& progress) {
   const LightFieldSize size = content.file()->size();
-  py::array result(dtypeOf(content.file()->type()), shapeOf(content));
+  const FrameNumbers all = content.file()->frames();
+  if (frame) requireFrame(all, *frame);
+  const FrameNumbers wanted = frame ? FrameNumbers{*frame, *frame, 1} : all;
+  const StoredType type = content.file()->type();
+  py::array result(dtypeOf(type), shapeOf(content, frame.has_value()));
+  const std::size_t ofFrame = 3 * size.width() * size.height();
   void* const data = result.mutable_data();
   runStoppable(progress, [&](const Progress& hear) {
-    content.file()->stream(
-        [&](int j, int v, const StoredRows& row) {
-          std::visit(
-              [&](const auto* rgb) {
-                using T = std::remove_cvref_t<decltype(*rgb)>;
-                putRow(size, j, v, rgb, static_cast<T*>(data));
-              },
-              row);
-        },
-        hear);
+    for (std::size_t k = 0; k < wanted.count(); ++k) {
+      const auto count = double(wanted.count());
+      content.stream(
+          wanted.number(k),
+          [&](int j, int v, const StoredRows& row) {
+            std::visit(
+                [&](const auto* rgb) {
+                  using T = std::remove_cvref_t<decltype(*rgb)>;
+                  putRow(size, j, v, rgb, static_cast<T*>(data) + k * ofFrame);
+                },
+                row);
+          },
+          part(hear, double(k) / count, double(k + 1) / count));
+    }
   });
   return result;
 }
@@ -162,13 +203,14 @@ void addLightFields(py::module_& module) {
       "the top, du columns from the left, each view ny by nx pixels of R, G, B. dtype uint8,\n"
       "uint16 (65535 is white) or float32 (1.0 is white). View [v, u], pixel [y, x] is the light\n"
       "that hogel (x, y) sends into direction (u, v). Any strides will do, numpy.memmap too.\n"
-      "Arrays above 100 MB are not copied; do not change them while the LightField is used.\n"
+      "(T, dv, du, ny, nx, 3) is a light field in time, of T frames. Arrays above 100 MB, and\n"
+      "those with frames, are not copied; do not change them while the LightField is used.\n"
       "Lists, and what numpy.asarray makes an array of, will do, too.\n\n"
       "hogelscope.open() opens files. Raises InputError.")
       .def(py::init(&fromArray), py::arg("array"), py::kw_only(), py::arg("progress") = py::none())
       .def_property_readonly(
           "shape", [](const Content& content) { return py::tuple(py::cast(shapeOf(content))); },
-          "(dv, du, ny, nx, 3)")
+          "(dv, du, ny, nx, 3); of a light field in time (T, dv, du, ny, nx, 3)")
       .def_property_readonly(
           "dtype", [](const Content& content) { return dtypeOf(content.file()->type()); },
           "numpy.dtype of its values: uint8, uint16 or float32")
@@ -176,8 +218,20 @@ void addLightFields(py::module_& module) {
       .def_property_readonly(
           "warnings", [](const Content& content) { return content.warnings(); },
           "Lines on what it lacks, such as missing views.")
-      .def("array", &toArray, py::kw_only(), py::arg("progress") = py::none(),
-           "Returns all of it as a new numpy array (dv, du, ny, nx, 3). Raises InputError.");
+      .def_property_readonly(
+          "frames", [](const Content& content) { return rangeOf(content.file()->frames()); },
+          "A range of the numbers of its frames; of a still one.")
+      .def_property_readonly(
+          "fps",
+          [](const Content& content) -> std::optional<double> {
+            const double rate = frameRateOf(content.lightField(), *content.file());
+            return rate > 0 ? std::optional(rate) : std::nullopt;
+          },
+          "Frames that are shown in a second; None if it is not known.")
+      .def("array", &toArray, py::kw_only(), py::arg("frame") = py::none(),
+           py::arg("progress") = py::none(),
+           "Returns all of it as a new numpy array (dv, du, ny, nx, 3), of a light field in time\n"
+           "(T, dv, du, ny, nx, 3), or one frame. Raises InputError.");
   module.def("allow_memory", &allow, py::arg("bytes"),
              "Set how many bytes light fields may take, in the whole process: a quarter of the "
              "machine's memory at first. What needs more is read piece by piece, or once from the "

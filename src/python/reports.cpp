@@ -7,6 +7,8 @@
 #include <optional>
 
 #include "core/base/error.h"
+#include "core/cameras/frame_states.h"
+#include "core/metrics/flicker.h"
 #include "core/optics/eyes.h"
 #include "io/files/content_hash.h"
 #include "io/plugins/metric_plugins.h"
@@ -16,6 +18,7 @@
 #include "python/function_metrics.h"
 #include "python/stoppable.h"
 #include "report/report_facts.h"
+#include "report/report_frames.h"
 #include "report/report_moves.h"
 #include "report/report_run.h"
 #include "report/test_orders.h"
@@ -43,6 +46,7 @@ struct ReportArguments {
   std::string against;  ///< "", "ideal" or "design"
   const Units& units;
   bool images = false;
+  std::string frames;  ///< as framesFrom() has it; "": all
   std::shared_ptr<FunctionMetrics> functions{};
 };
 
@@ -50,11 +54,17 @@ struct ReportArguments {
 std::string nameOfArray(LightFieldFile& file, const Progress& progress) {
   ContentHash hash;
   const std::size_t row = 3 * file.size().width();
-  file.stream(
-      [&](int, int, const StoredRows& values) {
-        std::visit([&](const auto* rgb) { hash.add(std::as_bytes(std::span(rgb, row))); }, values);
-      },
-      progress);
+  const FrameNumbers frames = file.frames();
+  for (std::size_t k = 0; k < frames.count(); ++k) {
+    const auto count = double(frames.count());
+    file.select(frames.number(k));
+    file.stream(
+        [&](int, int, const StoredRows& values) {
+          std::visit([&](const auto* rgb) { hash.add(std::as_bytes(std::span(rgb, row))); },
+                     values);
+        },
+        part(progress, double(k) / count, double(k + 1) / count));
+  }
   return "array, XXH3-128 of its rows " + hash.hex();
 }
 
@@ -135,8 +145,12 @@ ReportRequest requestOf(const ReportArguments& wishes, const InPython& inPython,
   request.output = wishes.output;
   request.command = "hogelscope.report() of Python";
   request.images = wishes.images;
+  std::optional<FrameNumbers> frames;
+  if (!wishes.frames.empty()) frames = framesFrom("frames", wishes.frames, request.file->frames());
+  takeFrames(request, frames);
   wishes.functions->findColumns(request, inPython, part(progress, 0.5, 1));
   std::vector<Metric> more = FunctionMetrics::metricsOf(wishes.functions);
+  if (!request.frames.empty()) more.push_back(flickerMetric());
   if (request.isAgainstDesign) more.push_back(moveMetric());  // the last one
   request.metrics = metricsOf(request.session.metrics, std::move(more));
   return request;
@@ -153,6 +167,7 @@ py::dict dictOf(const ReportRow& row, const MetricSet& metrics) {
   result["eye_z"] = row.eye.z;
   result["weight"] = row.weight;
   result["problem"] = row.problem;
+  if (row.frame) result["frame"] = *row.frame;
   return result;
 }
 
@@ -200,7 +215,7 @@ std::pair<py::dict, py::dict> meansOf(const std::vector<TestSummary>& summaries,
 py::tuple report(const Document& document, const LightChoice& lightField, const Tests& tests,
                  const Groups& groups, const FunctionMetrics::Functions& functions,
                  const std::string& output, const std::string& against, const Units& units,
-                 bool images, int threads, const py::object& progress) {
+                 bool images, const std::string& frames, int threads, const py::object& progress) {
   const ThreadsOfCall limit(threads);
   const auto called = std::make_shared<FunctionMetrics>(functions);
   struct Made {
@@ -210,9 +225,9 @@ py::tuple report(const Document& document, const LightChoice& lightField, const 
   };
   std::optional<Made> result;
   runStoppable(progress, [&](const Progress& hear, const InPython& inPython) {
-    const ReportRequest request =
-        requestOf({document, lightField, tests, groups, output, against, units, images, called},
-                  inPython, part(hear, 0, 0.05));
+    const ReportRequest request = requestOf(
+        {document, lightField, tests, groups, output, against, units, images, frames, called},
+        inPython, part(hear, 0, 0.05));
     ReportListener listener;
     listener.progress = part(hear, 0.05, 1);
     result.emplace(makeReport(request, listener), request.metrics, warningsOf(request));
@@ -231,7 +246,8 @@ py::tuple report(const Document& document, const LightChoice& lightField, const 
 void addReports(py::module_& module) {
   module.def("report", &report, py::arg("document"), py::arg("light_field"), py::arg("tests"),
              py::arg("groups"), py::arg("metrics"), py::arg("output"), py::arg("against"),
-             py::arg("units"), py::arg("images"), py::arg("threads"), py::arg("progress"),
+             py::arg("units"), py::arg("images"), py::arg("frames"), py::arg("threads"),
+             py::arg("progress"),
              "Writes a report: its rows, means, intervals, BD-rates and warnings.");
 }
 

@@ -22,6 +22,7 @@ struct SceneOrigin {
   std::weak_ptr<Content> content;  ///< if it is still open
   std::shared_ptr<Content> array;  ///< a numpy array's, which cannot be opened again; else null
   std::string files;               ///< their identities
+  int frame = 0;
 };
 
 /// What all views of one session and one light field share.
@@ -48,17 +49,19 @@ Session withoutStates(const Session& session) {
 }
 
 std::shared_ptr<const OpenScene> openScene(const Session& session,
-                                           const std::shared_ptr<Content>& content,
+                                           const std::shared_ptr<Content>& content, int frame,
                                            const Progress& progress) {
   LightFieldFile& file = *content->file();
   auto scene = std::make_shared<OpenScene>();
   scene->inputs = filesOf(session, file);
-  scene->origin = std::make_shared<SceneOrigin>(SceneOrigin{
-      session, content, content->isArray() ? content : nullptr, identitiesOf(scene->inputs)});
+  scene->origin = std::make_shared<SceneOrigin>(SceneOrigin{session, content,
+                                                            content->isArray() ? content : nullptr,
+                                                            identitiesOf(scene->inputs), frame});
   scene->content = content;
   scene->isStreamed = mustStream(file, allowedMemory());
   scene->source = scene->isStreamed ? unloadedViewSource(session, file, progress)
-                                    : viewSourceOf(session, content->source(progress));
+                                    : viewSourceOf(session, content->source(frame, progress));
+  if (scene->isStreamed) file.select(frame);
   return scene;
 }
 
@@ -160,30 +163,33 @@ class ViewMaker {
             std::shared_ptr<ViewRenderers> renderers)
       : m_request(request), m_scene(scene), m_renderers(std::move(renderers)) {}
 
-  std::vector<RenderedView> make(const std::vector<CameraState>& states, const Progress& progress) {
-    std::vector<RenderedView> views(states.size());
+  /// Makes the views of the states at these places of the list.
+  void make(const std::vector<CameraState>& all, const std::vector<std::size_t>& places,
+            std::vector<RenderedView>& views, const Progress& progress) {
+    std::vector<CameraState> states;
+    for (const std::size_t place : places) states.push_back(all[place]);
     if (m_scene.isStreamed) {
       StateImages images(m_scene.source, *m_scene.content->file(), states, {}, progress);
       for (std::size_t k = 0; k < states.size(); ++k)
-        views[k] = copied(states[k], k, images.render(k, m_renderers->one, progress));
-      return views;
+        views[places[k]] =
+            copied(states[k], places[k], images.render(k, m_renderers->one, progress));
+      return;
     }
     StepProgress steps(progress);
     steps.expect(double(states.size()));
     if (!areSideBySide(states)) {
       for (std::size_t k = 0; k < states.size(); ++k) {
-        views[k] = rendered(states[k], k, m_renderers->one, steps.of(1));
+        views[places[k]] = rendered(states[k], places[k], m_renderers->one, steps.of(1));
         steps.finish();
       }
-      return views;
+      return;
     }
     auto& renderers = m_renderers->sideBySide;
     renderers.resize(std::max(renderers.size(), std::size_t(threadCount())), Renderer(serialRows));
     sideBySide(states.size(), threadCount(), [&](std::size_t k, std::size_t worker) {
-      views[k] = rendered(states[k], k, renderers[worker], steps.within());
+      views[places[k]] = rendered(states[k], places[k], renderers[worker], steps.within());
       steps.finish();
     });
-    return views;
   }
 
  private:
@@ -255,7 +261,8 @@ PictureMemory UnroundedView::render(const Progress& progress) const {
   const Session& session = m_origin->session;
   std::shared_ptr<Content> content = m_origin->content.lock();
   if (!content || !content->isFresh()) content = Content::openOf(session, progress);
-  const std::shared_ptr<const OpenScene> scene = openScene(session, content, progress);
+  const std::shared_ptr<const OpenScene> scene =
+      openScene(session, content, m_origin->frame, progress);
   if (scene->origin->files != m_origin->files)
     throw InputError(contentName(session.lightField),
                      "has changed since \"" + m_state.camera.name +
@@ -282,21 +289,57 @@ const Session& SessionViews::parsed(const Document& document) {
   return *m_session;
 }
 
-/// Returns the kept scene, or a new one, which reads the session's light field anew where it has
-/// to.
-std::shared_ptr<const OpenScene> SessionViews::ownScene(const Session& session,
-                                                        const Progress& progress) {
-  if (m_scene && m_scene->origin->session == session && !m_scene->isStreamed &&
+/// Returns the session's light field, which is kept.
+std::shared_ptr<Content> SessionViews::ownContent(const Session& session,
+                                                  const Progress& progress) {
+  if (m_scene && m_scene->origin->session == session &&
       identitiesOf(m_scene->inputs) == m_scene->origin->files)
-    return m_scene;
+    return m_scene->content;
   std::shared_ptr<Content> content;
   if (m_scene && readTheSame(session, m_scene->origin->session) && m_scene->content->isFresh())
     content = m_scene->content;
   m_scene.reset();  // releases the memory before another light field is read
-  if (!content) content = Content::openOf(session, part(progress, 0, 0.2));
-  m_scene = openScene(session, content, part(progress, 0.2, 1));
+  return content ? content : Content::openOf(session, progress);
+}
+
+/// Returns the kept scene, or a new one of ownContent().
+std::shared_ptr<const OpenScene> SessionViews::sceneOf(const Session& session,
+                                                       const std::shared_ptr<Content>& content,
+                                                       int frame, const Progress& progress) {
+  if (m_scene && m_scene->origin->session == session && m_scene->origin->frame == frame &&
+      !m_scene->isStreamed)
+    return m_scene;
+  m_scene.reset();
+  m_scene = openScene(session, content, frame, progress);
   return m_scene;
 }
+
+namespace {
+
+/// Returns the frame of each state: its own time's, or the request's.
+std::vector<int> framesOf(const std::vector<CameraState>& states, const ViewRequest& request,
+                          const Content& content) {
+  const FrameNumbers listed = content.file()->frames();
+  const double rate = frameRateOf(content.lightField(), *content.file());
+  if (request.frame && !listed.has(*request.frame))
+    throw InputError(
+        "frame", std::to_string(*request.frame) + " is not there: the light field's first is " +
+                     std::to_string(listed.first) + ", its last " + std::to_string(listed.last));
+  std::vector<int> frames;
+  for (const CameraState& state : states) {
+    const bool isOwn = state.camera.time != notGiven;
+    const std::optional<double> time = isOwn ? std::optional(state.camera.time) : request.time;
+    if (time && !listed.isStill() && !(rate > 0))
+      throw InputError("time", "needs lightField.fps: the light field does not say its rate");
+    if (request.frame && !isOwn)
+      frames.push_back(*request.frame);
+    else
+      frames.push_back(time && !listed.isStill() ? listed.shownAt(*time, rate) : listed.first);
+  }
+  return frames;
+}
+
+}  // namespace
 
 RenderedViews SessionViews::render(const ViewRequest& request, const Progress& progress) {
   const auto lock = lockFor(m_renderers->mutex, progress);
@@ -310,15 +353,34 @@ RenderedViews SessionViews::render(const ViewRequest& request, const Progress& p
   if (given && given->lightField().isLive()) given = nullptr;  // opened for this display
   if (request.isIdeal) requireLive(session);
   const Session shared = withoutStates(session);
-  const Progress reading = part(progress, 0, 0.5);
-  const auto scene = given ? openScene(shared, given, reading) : ownScene(shared, reading);
+  const auto content = given ? given : ownContent(shared, part(progress, 0, 0.1));
+  const auto sceneAt = [&](int frame, const Progress& reading) {
+    return given ? openScene(shared, content, frame, reading)
+                 : sceneOf(shared, content, frame, reading);
+  };
+  const std::vector<int> ofStates = framesOf(session.cameras, request, *content);
+  const int first = ofStates.empty() ? content->file()->frames().first : ofStates.front();
+  auto scene = sceneAt(first, part(progress, 0.1, 0.5));
   takePart(session.cameras, request, scene->isStreamed);
   expand(session, scene->source.display, request);
   checkOut(request, session.cameras);
+  const std::vector<int> frames = framesOf(session.cameras, request, *content);
   RenderedViews result;
   for (const auto& input : scene->inputs) result.inputs.push_back(input.string());
-  result.views =
-      ViewMaker(request, *scene, m_renderers).make(session.cameras, part(progress, 0.5, 1));
+  result.views.resize(session.cameras.size());
+  const std::set<int> distinct(frames.begin(), frames.end());
+  double done = 0.5;
+  for (const int frame : distinct) {
+    std::vector<std::size_t> places;
+    for (std::size_t k = 0; k < frames.size(); ++k)
+      if (frames[k] == frame) places.push_back(k);
+    const double end = done + 0.5 * double(places.size()) / double(frames.size());
+    const Progress own = part(progress, done, end);
+    if (frame != scene->origin->frame) scene = sceneAt(frame, part(own, 0, 0.5));
+    ViewMaker(request, *scene, m_renderers)
+        .make(session.cameras, places, result.views, part(own, 0.5, 1));
+    done = end;
+  }
   return result;
 }
 

@@ -31,6 +31,8 @@ struct ViewRequest {
   bool isPart = false;     ///< as many states from there on as are best rendered together; else all
   std::vector<std::uint8_t*> out;            ///< memory of the pictures; empty: they get their own
   std::vector<std::array<int, 2>> outSizes;  ///< width and height of each
+  std::optional<int> frame;    ///< of a light field in time, for states without a time
+  std::optional<double> time;  ///< seconds, as `frame`
 };
 
 /// The values of one view before rounding, which are rendered when they are asked for. It keeps no
@@ -79,7 +81,10 @@ class SessionViews {
 
  private:
   const Session& parsed(const Document& document);
-  std::shared_ptr<const OpenScene> ownScene(const Session& session, const Progress& progress);
+  std::shared_ptr<Content> ownContent(const Session& session, const Progress& progress);
+  std::shared_ptr<const OpenScene> sceneOf(const Session& session,
+                                           const std::shared_ptr<Content>& content, int frame,
+                                           const Progress& progress);
 
   std::shared_ptr<ViewRenderers> m_renderers;
   Document m_document;  ///< of the parsed session

@@ -51,10 +51,12 @@ void setOut(ViewRequest& request, const std::vector<py::array>& arrays) {
 py::tuple render(SessionViews& views, const Document& document,
                  const std::optional<std::vector<std::string>>& states, const LightChoice& light,
                  bool ideal, const std::string& eye, int focusStack,
-                 const std::vector<py::array>& out, std::size_t first, bool isPart, int threads,
+                 const std::vector<py::array>& out, std::size_t first, bool isPart,
+                 std::optional<int> frame, std::optional<double> time, int threads,
                  const py::object& progress) {
   const ThreadsOfCall limit(threads);
-  ViewRequest request{document, states, light, ideal, {}, focusStack, first, isPart, {}, {}};
+  ViewRequest request{document, states, light, ideal, {},    focusStack,
+                      first,    isPart, {},    {},    frame, time};
   if (!eye.empty()) request.eye = eye == nameOf(Eye::left) ? Eye::left : Eye::right;
   setOut(request, out);
   RenderedViews rendered =
@@ -105,7 +107,8 @@ void addViews(py::module_& module) {
       .def(py::init<>())
       .def("render", &render, py::arg("document"), py::arg("states"), py::arg("light_field"),
            py::arg("ideal"), py::arg("eye"), py::arg("focus_stack"), py::arg("out"),
-           py::arg("first"), py::arg("is_part"), py::arg("threads"), py::arg("progress"),
+           py::arg("first"), py::arg("is_part"), py::arg("frame"), py::arg("time"),
+           py::arg("threads"), py::arg("progress"),
            "Renders states: (name, image, seen, values, focus, pixels per degree, distance) of "
            "each, and the files that were read. The image is None if it is in `out`; values are an "
            "array, None or an UnroundedView.");

@@ -18,14 +18,23 @@ class LightField:
         self, array: Any, *, progress: Optional[Callable[[float], object]] = None
     ) -> None: ...
     @property
-    def shape(self) -> Tuple[int, int, int, int, int]: ...
+    def shape(self) -> Tuple[int, ...]: ...
     @property
     def dtype(self) -> np.dtype[Any]: ...
     @property
     def files(self) -> List[str]: ...
     @property
     def warnings(self) -> List[str]: ...
-    def array(self, *, progress: Optional[Callable[[float], object]] = None) -> np.ndarray: ...
+    @property
+    def frames(self) -> range: ...
+    @property
+    def fps(self) -> Optional[float]: ...
+    def array(
+        self,
+        *,
+        frame: Optional[int] = None,
+        progress: Optional[Callable[[float], object]] = None,
+    ) -> np.ndarray: ...
 
 class SessionViews:
     def __init__(self) -> None: ...
@@ -40,6 +49,8 @@ class SessionViews:
         out: Sequence[np.ndarray],
         first: int,
         is_part: bool,
+        frame: Optional[int],
+        time: Optional[float],
         threads: int,
         progress: Optional[Callable[[float], object]],
     ) -> Tuple[
@@ -117,6 +128,7 @@ def report(
     against: str,
     units: Sequence[Tuple[str, Document]],
     images: bool,
+    frames: str,
     threads: int,
     progress: Optional[Callable[[float], object]],
 ) -> Tuple[

@@ -182,6 +182,8 @@ class Session(dict[str, Any], metaclass=OwnMembers):
         ideal: bool = False,
         eye: Optional[str] = None,
         out: Optional[np.ndarray] = None,
+        frame: Optional[int] = None,
+        time: Optional[float] = None,
         threads: int = 0,
         progress: Optional[Progress] = None,
     ) -> View: ...
@@ -196,6 +198,8 @@ class Session(dict[str, Any], metaclass=OwnMembers):
         eye: Optional[str] = None,
         focus_stack: int,
         out: Optional[Sequence[np.ndarray]] = None,
+        frame: Optional[int] = None,
+        time: Optional[float] = None,
         threads: int = 0,
         progress: Optional[Progress] = None,
     ) -> List[View]: ...
@@ -210,6 +214,8 @@ class Session(dict[str, Any], metaclass=OwnMembers):
         eye: Optional[str] = None,
         focus_stack: Optional[int] = None,
         out: Optional[Sequence[np.ndarray]] = None,
+        frame: Optional[int] = None,
+        time: Optional[float] = None,
         threads: int = 0,
         progress: Optional[Progress] = None,
     ) -> List[View]: ...
@@ -223,6 +229,8 @@ class Session(dict[str, Any], metaclass=OwnMembers):
         eye: Optional[str] = None,
         focus_stack: Optional[int] = None,
         out: Any = None,
+        frame: Optional[int] = None,
+        time: Optional[float] = None,
         threads: int = 0,
         progress: Optional[Progress] = None,
     ) -> Any:
@@ -244,6 +252,8 @@ class Session(dict[str, Any], metaclass=OwnMembers):
                 View's ``image``; of a list of Views a sequence of them, or one (n, h, w, 3).
                 Without it each View has a picture of its own, in memory of Views that are no
                 longer used.
+            frame: of a light field in time, for states without a "time": by default the first.
+            time: the same in seconds from the first frame on.
             threads: 0 for one per core; of the whole process while the call lasts.
             progress: called with the fraction done, 0 to 1.
 
@@ -258,6 +268,8 @@ class Session(dict[str, Any], metaclass=OwnMembers):
         wanted = None if state is None else [state] if is_one else list(state)
         if wanted == []:
             return []
+        if frame is not None and time is not None:
+            raise InputError("frame, time: give one of them")
         is_picture = is_one and focus_stack is None
         document, names = self._of_states(wanted, light_field)
         arrays = [] if out is None else [out] if is_picture else list(out)
@@ -266,7 +278,7 @@ class Session(dict[str, Any], metaclass=OwnMembers):
                 raise TypeError(f"out: {type(array).__name__} is no numpy array")
         views = self._rendered(
             document, names, light_choice(light_field), ideal, eye or "", int(focus_stack or 0),
-            arrays, 0, False, threads, progress
+            arrays, 0, False, frame, time, threads, progress
         )
         for view, array in zip(views, arrays):
             view.image = array
@@ -279,6 +291,8 @@ class Session(dict[str, Any], metaclass=OwnMembers):
         *,
         ideal: bool = False,
         eye: Optional[str] = None,
+        frame: Optional[int] = None,
+        time: Optional[float] = None,
         threads: int = 0,
     ) -> Iterator[View]:
         """Render many states, some for each core at a time, and yield their Views in order: for
@@ -293,7 +307,8 @@ class Session(dict[str, Any], metaclass=OwnMembers):
         done = 0
         while done < total:
             views = self._rendered(
-                document, names, light, ideal, eye or "", 0, [], done, True, threads, None
+                document, names, light, ideal, eye or "", 0, [], done, True, frame, time, threads,
+                None,
             )
             done += len(views)
             while views:
@@ -447,6 +462,17 @@ def _units(
     return units
 
 
+def _frames_text(frames: Union[None, int, str, range]) -> str:
+    """Frames as ``--frames`` has them; "" for all."""
+    if frames is None:
+        return ""
+    if isinstance(frames, range):
+        if len(frames) == 0 or frames.step < 1:
+            raise InputError(f"frames: {frames} has no frame, or runs backwards")
+        return f"{frames[0]}:{frames[-1]}:{frames.step}"
+    return str(frames)
+
+
 def report(
     session: Session,
     tests: Union[Mapping[str, Any], Iterable[Any]] = (),
@@ -459,6 +485,7 @@ def report(
     against: Optional[str] = None,
     twins: Union[None, Path, Mapping[str, Any], Iterable[Any]] = None,
     images: bool = False,
+    frames: Union[None, int, str, range] = None,
     threads: int = 0,
     progress: Optional[Progress] = None,
 ) -> Report:
@@ -487,12 +514,15 @@ def report(
         twins: the units of against="design": a twin document, a list of them, or {name: unit},
             where a unit may be a dict such as session["twin"], too; without them the session's own.
         images: keep every picture.
+        frames: of a light field in time: a frame, a range such as range(0, 100, 10), or a text as
+            of ``--frames``; by default all. States with a time keep the frame of that time.
         threads, progress: as in Session.render().
 
     Returns:
-        A Report, which is a list with a row for each state and test: "state", "test", the columns of report.csv and metrics.csv
+        A Report, which is a list with a row for each frame, state and test: "state", "test", the columns of report.csv and metrics.csv
         ("mse", "psnr", "psnr_seen", "ssim", …; NaN where there is nothing to compare), "eye_x",
-        "eye_y", "eye_z" (m), "weight" and "problem" ("" if there is none).
+        "eye_y", "eye_z" (m), "weight", "problem" ("" if there is none) and, of a light field in
+        time, "frame".
         pandas.DataFrame(rows) makes a table.
 
     A report that was stopped, by Ctrl-C or otherwise, goes on in the same folder when it is asked
@@ -517,8 +547,8 @@ def report(
             raise TypeError(f"metric {name!r} is no function: {type(function).__name__}")
     *made, lines = _hogelscope.report(
         document, light, choices, rates, functions, path_text(output), against or "",
-        _units(session, twins, states, not isinstance(light, LightField)), images, threads,
-        progress,
+        _units(session, twins, states, not isinstance(light, LightField)), images,
+        _frames_text(frames), threads, progress,
     )
     warn(lines)
     return Report(*made)
