@@ -43,11 +43,16 @@ class VideoInput : public ImageInput {
     }
     std::visit(
         [&](auto* rgb) {
+          using T = std::remove_pointer_t<decltype(rgb)>;
           for (std::size_t y = first; y < first + rows; ++y, rgb += m_row.size()) {
+            if constexpr (sizeof(T) == 1)
+              if (m_facts.bits == 8) {  // as they are
+                m_picture.readRow(y, rgb);
+                continue;
+              }
             m_picture.readRow(y, m_row.data());
-            std::ranges::transform(m_row, rgb, [this](std::uint16_t value) {
-              return converted<std::remove_pointer_t<decltype(rgb)>>(value);
-            });
+            std::ranges::transform(m_row, rgb,
+                                   [this](std::uint16_t value) { return converted<T>(value); });
           }
         },
         to);

@@ -82,12 +82,6 @@ std::array<int, 2> sitingOf(AVChromaLocation location) {
   }
 }
 
-/// Rounds a value from 0 half up.
-std::uint16_t roundedUp(float value) {
-  const float raised = value + 0.5F;
-  return std::uint16_t(raised);
-}
-
 FfmpegPtr<SwsContext> scalerFor(const AVFrame& frame, AVPixelFormat from, AVPixelFormat to) {
   FfmpegPtr<SwsContext> scaler(sws_alloc_context());
   if (!scaler) throw std::bad_alloc();
@@ -244,35 +238,39 @@ void VideoPicture::gather(std::size_t y, int component, std::vector<float>& row)
       alongRow * flipped(m_isMirrored, 0, length);
   const std::ptrdiff_t step = m_isMirrored ? -alongRow : alongRow;
   row.resize(std::size_t(length));
+  const bool isWide = place.depth > 8;
+  if (step == (isWide ? 2 : 1)) {
+    if (isWide)
+      copySamples(reinterpret_cast<const std::uint16_t*>(from), row.size(), row.data());
+    else
+      copySamples(from, row.size(), row.data());
+    return;
+  }
   for (float& sample : row) {
     sample = place.depth <= 8 ? *from : *reinterpret_cast<const std::uint16_t*>(from);
     from += step;
   }
 }
 
-void VideoPicture::readRow(std::size_t y, std::uint16_t* rgb) {
+template <class T>
+void VideoPicture::setRow(std::size_t y, T* rgb) {
   const int components = 3 + (m_hasAlpha ? 1 : 0);
   for (int c = 0; c < components; ++c) gather(y, c, m_row[std::size_t(c)]);
   const auto most = float(largestValue(m_bits));
-  const Weights& w = m_weights;
   auto& [first, second, third, alpha] = m_row;
   if (m_isYuv)
-    for (std::size_t x = 0; x < width(); ++x) {
-      const float luma = w.luma * (first[x] - w.black);
-      const float cb = second[x] - w.middle;
-      const float cr = third[x] - w.middle;
-      first[x] = luma + w.crToRed * cr;
-      second[x] = luma + w.cbToGreen * cb + w.crToGreen * cr;
-      third[x] = luma + w.cbToBlue * cb;
-    }
+    yuvToRgb(m_weights, width(), first.data(), second.data(), third.data());
   else
     for (auto* const values : {&first, &second, &third})
-      for (float& value : *values) value *= w.luma;
-  for (std::size_t x = 0; x < width(); ++x) {
-    const float opacity = m_hasAlpha ? alpha[x] * m_opacity : 1;
-    for (const auto* const values : {&first, &second, &third})
-      *rgb++ = roundedUp(std::clamp((*values)[x], 0.0F, most) * opacity);
-  }
+      for (float& value : *values) value *= m_weights.luma;
+  if (m_hasAlpha)
+    for (auto* const values : {&first, &second, &third})
+      for (std::size_t x = 0; x < width(); ++x)
+        (*values)[x] = std::clamp((*values)[x], 0.0F, most) * (alpha[x] * m_opacity);
+  writePixels(first.data(), second.data(), third.data(), width(), most, rgb);
 }
+
+template void VideoPicture::setRow(std::size_t y, std::uint8_t* rgb);
+template void VideoPicture::setRow(std::size_t y, std::uint16_t* rgb);
 
 }  // namespace hogelscope

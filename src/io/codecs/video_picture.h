@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "io/codecs/ffmpeg.h"
+#include "io/codecs/video_rows.h"
 
 namespace hogelscope {
 
@@ -30,25 +31,17 @@ class VideoPicture {
   /// Returns what of the frame is not used: non-square pixels, a rotation by other angles than 90°.
   [[nodiscard]] std::vector<std::string> notes() const;
 
-  /// Sets the 3·width() values of row y, 0 … 2^bits − 1.
-  void readRow(std::size_t y, std::uint16_t* rgb);
+  /// Sets the 3·width() values of row y, 0 … 2^bits − 1; bytes for 8 bits only.
+  void readRow(std::size_t y, std::uint8_t* rgb) { setRow(y, rgb); }
+  void readRow(std::size_t y, std::uint16_t* rgb) { setRow(y, rgb); }
 
  private:
   void takeOrientation(const std::int32_t* matrix);
   void takeColours(const AVFrame& frame, const std::filesystem::path& file);
   void takeSamples(const AVFrame& frame, const std::filesystem::path& file);
+  template <class T>
+  void setRow(std::size_t y, T* rgb);
   void gather(std::size_t y, int component, std::vector<float>& row) const;
-
-  /// The conversion of samples Y, Cb, Cr to values, each from 0 to 2^bits − 1.
-  struct Weights {
-    float black = 0;
-    float luma = 1;
-    float middle = 0;
-    float crToRed = 0;
-    float cbToGreen = 0;
-    float crToGreen = 0;
-    float cbToBlue = 0;
-  };
 
   FfmpegPtr<AVFrame> m_samples;  ///< planes of one size: Y, Cb, Cr or R, G, B, then alpha
   FfmpegPtr<SwsContext> m_scaler;
@@ -64,7 +57,7 @@ class VideoPicture {
   int m_bits = 8;
   bool m_isYuv = false;
   bool m_hasAlpha = false;
-  Weights m_weights;
+  YuvWeights m_weights;
   float m_opacity = 1;  ///< of one step of an alpha sample
   std::array<std::vector<float>, 4> m_row;
 };
