@@ -220,7 +220,9 @@ std::optional<FrameNumbers> framesOf(const CommandLine& line, const LightFieldFi
 void warnOfFrames(const CommandLine& line, const FrameNumbers& listed) {
   if (listed.isStill() || line.has("quiet")) return;
   printNote("warning: of " + std::to_string(listed.count()) + " frames the first one, " +
-            std::to_string(listed.first) + ", is used; --frames all uses all");
+            std::to_string(listed.first) + ", is used" +
+            (line.mayHave("frames") ? "; --frames all uses all"
+                                    : "; lightField.frames=[first,last] lists others"));
 }
 
 std::vector<FrameOutput> outputsOfFrames(const CommandLine& line,

@@ -46,9 +46,12 @@ void ReportData::begin() {
   for (const std::string& name : shortNames(tests))
     plotted.push_back({name, curveOf(name), unknown});
   rows.clear();
-  for (const CameraState& state : session.cameras)
+  for (std::size_t k = 0; k < session.cameras.size(); ++k) {
+    const CameraParams& camera = session.cameras[k].camera;
+    const auto frame = frames.empty() ? std::nullopt : std::optional(frames[k]);
     for (const std::string& test : tests)
-      rows.push_back({state.camera.name, test, metrics.noValues(), state.camera.eye, 1, notYet});
+      rows.push_back({camera.name, test, metrics.noValues(), camera.eye, 1, notYet, frame});
+  }
 }
 
 void ReportData::take(const StoredReport& stored, const std::vector<std::optional<double>>& rates) {

@@ -20,6 +20,7 @@ struct ReportData {
   bool isRead = false;  ///< from its folder; the session's states may be others
   MetricSet metrics{};
   std::vector<std::string> tests{};         ///< files
+  std::vector<int> frames{};                ///< of each state; empty for a still
   std::vector<PlottedTest> plotted{};       ///< of each test
   std::vector<ReportRow> rows{};            ///< in ReportOrder
   std::vector<TestSummary> summaries{};     ///< empty until the report is finished

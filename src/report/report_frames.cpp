@@ -67,10 +67,7 @@ std::size_t ShardOfViews::count() const {
 
 int frameOfTest(const LightFieldFile& own, const ReportTest& test, int frame) {
   const FrameNumbers ours = own.frames(), others = test.file->frames();
-  if (ours.isStill()) return others.first;
-  if (ours.count() == others.count())
-    return others.number(std::size_t((frame - ours.first) / ours.step));
-  if (others.has(frame)) return frame;
+  if (const auto same = sameFrame(ours, frame, others)) return *same;
   const auto text = [](const FrameNumbers& frames) {
     return std::to_string(frames.count()) + ", " + std::to_string(frames.first) + " … " +
            std::to_string(frames.last);

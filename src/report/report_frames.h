@@ -45,9 +45,8 @@ class ShardOfViews {
   std::vector<std::size_t> m_frames;  ///< the number of each view's frame; empty for a still
 };
 
-/// Returns the test's frame that is compared with a frame of the session's light field: that of the
-/// same place if both list equally many, otherwise of the same number; with a still the first one.
-/// Throws InputError that names the test.
+/// Returns the test's frame that is compared with a frame of the session's light field
+/// (sameFrame()). Throws InputError that names the test.
 int frameOfTest(const LightFieldFile& own, const ReportTest& test, int frame);
 
 }  // namespace hogelscope

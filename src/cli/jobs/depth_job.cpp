@@ -69,6 +69,7 @@ void writePlot(const fs::path& folder, const std::string& name, const DepthFigur
 
 int runDepth(const CommandLine& line) {
   const Input input(loadSelected(line, "a depth budget"));
+  warnOfFrames(line, input.file->frames());
   const fs::path folder = line.text("output");
   const std::string fit = line.text("fit");
   std::vector<fs::path> outputs{folder / "depth.csv", folder / "depth.json", folder / "depth.png",

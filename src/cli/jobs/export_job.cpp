@@ -70,6 +70,7 @@ int exportPage(const Session& session, const CommandLine& line) {
     throw InputError("command line", "--experiment", "compares light fields: give --test LF too");
   const fs::path output = line.text("output");
   const Input input(session, openLightField(session.lightField, session.display));
+  warnOfFrames(line, input.file->frames());
   const std::string name = fs::path(line.text("session")).stem().string();
   options.title = name.empty() ? "hogelscope" : name;
   std::vector<PageContent> contents{{name, input.file}};

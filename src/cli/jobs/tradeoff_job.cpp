@@ -34,6 +34,7 @@ void printLimits(const std::vector<TradeoffRow>& rows) {
 int runTradeoff(const CommandLine& line) {
   const double start = steadySeconds();
   const Input input(loadSelected(line, "a trade-off"));
+  warnOfFrames(line, input.file->frames());
   const std::filesystem::path folder = line.text("output");
   checkResults(line, input.session,
                {folder / "tradeoff.csv", folder / "tradeoff.png", folder / "tradeoff.svg"});

@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <optional>
 #include <string_view>
 
 namespace hogelscope {
@@ -38,6 +39,18 @@ struct FrameNumbers {
 /// Returns frames with a `last` that is one of them, from limits that may lie between two.
 inline FrameNumbers framesBetween(int first, int last, int step) {
   return {first, first + (last - first) / step * step, step};
+}
+
+/// Returns the frame of another light field that is compared with one of these: that of the same
+/// place if both have equally many, otherwise of the same number; with a still the first one. None
+/// if there is no such frame.
+inline std::optional<int> sameFrame(const FrameNumbers& ours, int frame,
+                                    const FrameNumbers& others) {
+  if (ours.isStill()) return others.first;
+  if (ours.count() == others.count())
+    return others.number(std::size_t((frame - ours.first) / ours.step));
+  if (others.has(frame)) return frame;
+  return std::nullopt;
 }
 
 }  // namespace hogelscope

@@ -39,6 +39,8 @@
 #include "gui/view/camera_player.h"
 #include "gui/view/content_loader.h"
 #include "gui/view/focus_finder.h"
+#include "gui/view/frame_bar.h"
+#include "gui/view/frame_stream.h"
 #include "gui/view/image_commands.h"
 #include "gui/view/view_worker.h"
 #include "gui/widgets/colours.h"
@@ -90,6 +92,7 @@ MainWindow::MainWindow(QWidget* parent)
   connectWorker();
   m_loader = new ContentLoader(m_model, m_worker, this);
   connectLoader();
+  connectFrames();
   addHelpers();
   addEditing();
   m_home->addCommands(*this);
@@ -329,6 +332,45 @@ void MainWindow::connectLoader() {
   m_ui->tradeoffView->setViews([this] { return views(); });
 }
 
+/// Frames are read beside the light field: what is shown stays until the next one is there.
+void MainWindow::connectFrames() {
+  m_frames = new FrameStream(this);
+  m_frameBar = new FrameBar(m_ui->pictureMenu, m_ui->pictureArea);
+  m_ui->pictureLayout->addWidget(m_frameBar);
+  connect(m_loader, &ContentLoader::sourceChanged, this, [this] {
+    if (m_loader->source()) return;
+    m_frameBar->clear();
+    m_frames->close();
+    m_ui->reportPanel->setFrames({}, 0);
+  });
+  connect(m_loader, &ContentLoader::loaded, this, [this] { m_frames->open(m_loader->asked()); });
+  connect(m_frames, &FrameStream::opened, this, [this](const FrameNumbers& frames, double rate) {
+    m_frameBar->setFrames(frames, rate);
+    m_ui->reportPanel->setFrames(frames, rate);
+    showCurrent();
+  });
+  connect(m_frames, &FrameStream::failed, m_messages, &Messages::showError);
+  connect(m_frames, &FrameStream::failed, m_frameBar, &FrameBar::stop);
+  using Source = std::shared_ptr<const LightFieldSource>;
+  connect(m_frames, &FrameStream::read, this, [this](int, const Source& own, const Source& other) {
+    m_imageCommands->showFrame(own, other);
+    m_loader->showFrame(own);
+  });
+  connect(m_imageCommands, &ImageCommands::compared, this,
+          [this] { m_frames->openOther(m_imageCommands->otherSession()); });
+  connect(m_frames, &FrameStream::otherOpened, m_frameBar, &FrameBar::askAgain);
+  connect(m_frameBar, &FrameBar::frameAsked, m_frames, &FrameStream::show);
+  connect(m_ui->reportPanel, &ReportDock::frameChosen, m_frameBar, &FrameBar::showFrame);
+  connect(m_frameBar, &FrameBar::played, this, [this](bool isPlaying) {
+    if (!isPlaying && m_loader->isReady()) showScene();  // which stands still meanwhile
+  });
+  connect(m_loader, &ContentLoader::frameChanged, this, [this] {
+    m_imageCommands->setSource(m_loader->source());
+    if (!m_frameBar->isPlaying()) m_scene->setSource(m_loader->source());
+    render();
+  });
+}
+
 void MainWindow::render() {
   if (!m_loader->isReady()) return;  // showScene() renders
   m_worker->render({m_player->shown(), *m_loader->source(), m_method, m_imageCommands->other(),
@@ -337,6 +379,7 @@ void MainWindow::render() {
 
 void MainWindow::showView(const RenderedView& view) {
   m_imageCommands->show(view);
+  m_frameBar->pictureShown();
   const bool isFull = view.scale == 1 && !view.isOverview && view.samples == 0;
   if (isFull) m_files->keepThumbnail(view.image);
   m_loader->followImage();
@@ -523,6 +566,8 @@ void MainWindow::showCurrent() {
   const auto index = int(m_model->currentIndex());
   m_stateBox->setItemText(index, QString::fromStdString(m_model->current().camera.name));
   m_stateBox->setCurrentIndex(index);
+  if (const double time = m_model->current().camera.time; time != notGiven)
+    m_frameBar->showTime(time);
   render();
   showTitle();
 }

@@ -21,6 +21,8 @@ namespace hogelscope {
 
 class CameraPlayer;
 class ContentLoader;
+class FrameBar;
+class FrameStream;
 class FileCommands;
 class Guide;
 class HomePage;
@@ -56,6 +58,7 @@ class MainWindow : public QMainWindow {
   void addTopBar();
   void connectWorker();
   void connectLoader();
+  void connectFrames();
   void addEditing();
   void addHelpers();
   void closeEvent(QCloseEvent* event) override;
@@ -92,6 +95,8 @@ class MainWindow : public QMainWindow {
   SceneController* m_scene;
   ImageCommands* m_imageCommands = nullptr;
   CameraPlayer* m_player = nullptr;
+  FrameStream* m_frames = nullptr;
+  FrameBar* m_frameBar = nullptr;
   Properties* m_properties = nullptr;
   PictureRate m_rate;
   bool m_isNew = false;                 ///< the session is new, so the scene has to be fitted to it

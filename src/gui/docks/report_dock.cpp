@@ -14,6 +14,8 @@
 #include <set>
 
 #include "core/base/error.h"
+#include "core/cameras/frame_states.h"
+#include "core/metrics/flicker.h"
 #include "core/optics/eyes.h"
 #include "gui/docks/report_plots.h"
 #include "gui/session/session_forms.h"
@@ -25,6 +27,7 @@
 #include "io/plugins/metric_plugins.h"
 #include "io/plugins/plugin_list.h"
 #include "report/page/report_tables.h"
+#include "report/report_frames.h"
 #include "report/report_run.h"
 #include "report/test_orders.h"
 #include "ui_report_dock.h"
@@ -324,10 +327,19 @@ void ReportDock::start() {
   made.metrics = metricsOf(made.session.metrics);
   for (int k = 0; k < m_ui->testList->count(); ++k)
     made.tests.push_back(m_ui->testList->item(k)->text().toStdString());
-  made.begin();
-  m_data = made;
   ReportRequest request;
   request.session = made.session;
+  if (!m_frames.isStill()) {
+    made.metrics = metricsOf(made.session.metrics, {flickerMetric()});
+    const auto views = statesAtFrames(made.session.cameras, m_frames, m_frames, m_frameRate);
+    made.session.cameras.clear();
+    for (const auto& [state, frame] : views) {
+      made.session.cameras.push_back(state);
+      made.frames.push_back(frame);
+    }
+  }
+  made.begin();
+  m_data = made;
   request.metrics = made.metrics;
   const bool isEdited = m_model->isModified() || m_model->file().isEmpty();
   request.name = nameOf(*m_model);
@@ -342,26 +354,31 @@ void ReportDock::start() {
   m_ui->testsButton->setChecked(false);
   showAll();
   m_clock.start();
-  m_task->start(
-      [this, task = m_task, request, tests = made.tests](const Progress& progress) mutable {
-        ReportListener listener;
-        listener.progress = part(progress, 0.02, 1);
-        listener.finished = [=, this](std::size_t index, const ReportRow& row) {
-          task->queue([this, index, row] { showRow(index, row); });
-        };
-        request.tests = openTests(request.session, tests);
-        std::vector<std::optional<double>> rates;
-        orderTests(request, part(progress, 0, 0.02));
-        for (const ReportTest& test : request.tests) rates.push_back(rateOfFiles(test));
-        QStringList orders;
-        for (const ReportTest& test : request.tests)
-          if (!test.order.empty()) orders << QString::fromStdString(test.order) + ".";
-        return [this, rates, orders, report = makeReport(request, listener)] {
-          finish(report, rates);
-          if (!orders.isEmpty())
-            m_ui->reportNote->setText(m_ui->reportNote->text() + "\n" + orders.join("\n"));
-        };
-      });
+  m_task->start([this, task = m_task, request, tests = made.tests, areFrames = !made.frames.empty(),
+                 views = made.session.cameras.size()](const Progress& progress) mutable {
+    ReportListener listener;
+    listener.progress = part(progress, 0.02, 1);
+    listener.finished = [=, this](std::size_t index, const ReportRow& row) {
+      task->queue([this, index, row] { showRow(index, row); });
+    };
+    request.file = openLightField(request.session.lightField, request.session.display);
+    request.tests = openTests(request.session, tests);
+    std::vector<std::optional<double>> rates;
+    orderTests(request, part(progress, 0, 0.02));
+    for (const ReportTest& test : request.tests) rates.push_back(rateOfFiles(test));
+    if (areFrames) takeFrames(request, {});
+    if (request.session.cameras.size() != views)
+      throw InputError(contentName(request.session.lightField), "has other frames than before",
+                       "open it again");
+    QStringList orders;
+    for (const ReportTest& test : request.tests)
+      if (!test.order.empty()) orders << QString::fromStdString(test.order) + ".";
+    return [this, rates, orders, report = makeReport(request, listener)] {
+      finish(report, rates);
+      if (!orders.isEmpty())
+        m_ui->reportNote->setText(m_ui->reportNote->text() + "\n" + orders.join("\n"));
+    };
+  });
 }
 
 /// Shows what can be done, except while a report is generated.
@@ -562,6 +579,8 @@ void ReportDock::showChosen() {
   if (!m_follows) compare();
   if (const auto index = m_data.stateIn(m_model->session(), *state))
     m_model->setCurrentIndex(*index);
+  if (const auto frame = m_data.rows[m_data.order().row(*state, m_test)].frame)
+    Q_EMIT frameChosen(*frame);
 }
 
 /// A report that was read may outlive its tests.

@@ -34,6 +34,11 @@ class ReportDock : public QWidget {
   void setModel(SessionModel* model, QMenu* fileMenu, QMenu* statesMenu);
   /// Sets the light field that is in memory; none while it is read.
   void setReference(const std::optional<ViewSource>& source) { m_reference = source; }
+  /// Sets the frames of the session's light field; a still has one. `rate` is 0 if it is not known.
+  void setFrames(const FrameNumbers& frames, double rate) {
+    m_frames = frames;
+    m_frameRate = rate;
+  }
   void addTest(const QString& file);
   /// Offers the test compared in the view, to be added by one click; "": none.
   void offerTest(const QString& file);
@@ -44,6 +49,7 @@ class ReportDock : public QWidget {
  Q_SIGNALS:
   /// Passes the PSNR in dB of every state under the chosen test; NaN for states without one (yet).
   /// Empty if there is none at all. A stale one is of a state, or a display, that was edited since.
+  void frameChosen(int frame);  ///< of the row that is chosen, after its state
   void psnrChanged(const std::vector<double>& dB, const std::vector<bool>& isStale);
   /// Requests a comparison of the session's light field with `file` in the view.
   void comparisonAsked(const QString& file);
@@ -85,6 +91,8 @@ class ReportDock : public QWidget {
 
   SessionModel* m_model = nullptr;
   std::optional<ViewSource> m_reference;
+  FrameNumbers m_frames;
+  double m_frameRate = 0;
   ReportData m_data;
   std::size_t m_test = 0;  ///< the chosen test
   bool m_follows = false;  ///< the row selection follows the current state

@@ -91,7 +91,7 @@ QStandardItem* linkCell(const ReportData& data, std::size_t test, bool isBest) {
   if (!state) return numberCell("–", unknown);
   const std::size_t row = data.order().row(*state, test);
   auto* item =
-      numberCell(text(data.rows[row].state + "  " + rounded(data.psnr(row), 1)), data.psnr(row));
+      numberCell(text(viewName(data.rows[row]) + "  " + rounded(data.psnr(row), 1)), data.psnr(row));
   item->setForeground(tokens().focus);
   item->setToolTip(QObject::tr("Shows this state and compares it in the view"));
   return item;
@@ -196,7 +196,7 @@ void StateTable::fill(const ReportData& data, std::size_t test, std::size_t stat
   const ReportRow& row = data.rows[index];
   const EyePlace eye = eyePlaceOf(data.session.display, row.eye);
   const bool isProblem = !row.problem.empty() && !data.isAwaited(index);
-  setItem(at, name, nameCell(text(row.state), text(isProblem ? row.problem : row.state)));
+  setItem(at, name, nameCell(text(viewName(row)), text(isProblem ? row.problem : viewName(row))));
   auto* figure = metricCell(data, index, psnrSeenColumn);
   if (isProblem) {
     figure->setText(text(row.problem));

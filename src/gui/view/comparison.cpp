@@ -37,6 +37,7 @@ void Comparison::startDesign(const QString& name, const Session& session) {
 void Comparison::read(Other other, const Session& session) {
   m_task.start([=, this](const Progress& progress) mutable {
     other.source = loadViewSource(session, progress);
+    other.session = session;
     return [this, other] {
       m_other = other;
       Q_EMIT changed();
@@ -62,7 +63,16 @@ void Comparison::startDesigned() {
 
 void Comparison::startKept(const QString& name) {
   if (!m_own) return;  // it is being read
-  set({.name = name, .source = m_own, .hasOwnDisplay = true});
+  set({.name = name, .source = m_own, .hasOwnDisplay = true, .isKept = true});
+}
+
+void Comparison::showFrame(const std::shared_ptr<const LightFieldSource>& own,
+                           const std::shared_ptr<const LightFieldSource>& other) {
+  if (!m_other.source) return;
+  if (m_other.isKept)
+    m_other.source->lightField = own;
+  else if (m_other.session && other)
+    m_other.source->lightField = other;
 }
 
 void Comparison::stop() {

@@ -36,6 +36,12 @@ class Comparison : public QObject {
   void stop();
   /// Sets the session's own light field; none while it is read.
   void setSource(const std::optional<ViewSource>& own) { m_own = own; }
+  /// Returns the session of the second light field if that is another one, to follow its frames.
+  [[nodiscard]] const std::optional<Session>& session() const { return m_other.session; }
+  /// Shows frames in place of those that are shown: of the session's own light field, which may be
+  /// kept on another display, and of the second one; null: it is a still.
+  void showFrame(const std::shared_ptr<const LightFieldSource>& own,
+                 const std::shared_ptr<const LightFieldSource>& other);
 
   /// Returns the second light field with the session's sampling, and with the session's display
   /// unless it has its own; none without a comparison.
@@ -63,6 +69,8 @@ class Comparison : public QObject {
     std::optional<ViewSource> source = {};  ///< none if it follows
     Follows follows = Follows::nothing;
     bool hasOwnDisplay = false;
+    bool isKept = false;                  ///< the session's own light field on another display
+    std::optional<Session> session = {};  ///< that `source` was read from
   };
   void read(Other other, const Session& session);
   void set(const Other& other);

@@ -50,6 +50,12 @@ void ContentLoader::load() {
     sayReading();
 }
 
+void ContentLoader::showFrame(const std::shared_ptr<const LightFieldSource>& frame) {
+  if (!isReady()) return;
+  m_source->lightField = frame;
+  Q_EMIT frameChanged();
+}
+
 void ContentLoader::sayReading() {
   Q_EMIT reading(tr("Reading %1 …").arg(QString::fromStdString(contentName(m_asked.lightField))));
 }

@@ -32,6 +32,10 @@ class ContentLoader : public QObject {
   void showTwin(bool isBuilt);
   /// Reads the session's light field.
   void load();
+  /// Shows a frame of it, in place of the one that is shown.
+  void showFrame(const std::shared_ptr<const LightFieldSource>& frame);
+  /// Returns the session whose light field was read last.
+  [[nodiscard]] const Session& asked() const { return m_asked; }
   /// Follows an edit of the session's content. Returns whether sourceChanged() was emitted for it.
   bool follow();
   /// Reads what was edited while the image was rendered that has now been shown.
@@ -39,6 +43,7 @@ class ContentLoader : public QObject {
 
  Q_SIGNALS:
   void sourceChanged();  ///< to another one, or to none
+  void frameChanged();   ///< only the frame of it has changed
   void loaded();
   /// Reading has begun, or takes longer than a moment.
   void reading(const QString& line);

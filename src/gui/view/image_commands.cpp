@@ -199,6 +199,15 @@ void ImageCommands::setSource(const std::optional<ViewSource>& own) {
   m_output->setSource(own);
 }
 
+void ImageCommands::showFrame(const std::shared_ptr<const LightFieldSource>& own,
+                              const std::shared_ptr<const LightFieldSource>& other) {
+  m_comparison->showFrame(own, other);
+}
+
+const std::optional<Session>& ImageCommands::otherSession() const {
+  return m_comparison->session();
+}
+
 bool ImageCommands::asksWhy() const {
   return m_mask->isChecked();
 }

@@ -33,6 +33,11 @@ class ImageCommands : public QObject {
   void setSource(const std::optional<ViewSource>& own);
   /// Returns the light field that is rendered for comparison.
   [[nodiscard]] std::optional<ViewSource> other() const;
+  /// Shows frames as Comparison does.
+  void showFrame(const std::shared_ptr<const LightFieldSource>& own,
+                 const std::shared_ptr<const LightFieldSource>& other);
+  /// Returns the session of the second light field, if it is another one.
+  [[nodiscard]] const std::optional<Session>& otherSession() const;
   /// Returns whether the mask says why pixels are not seen.
   [[nodiscard]] bool asksWhy() const;
   /// Returns which eyes of a state with two are shown.

@@ -226,14 +226,18 @@ Plot psnrPlot(const std::vector<ReportRow>& rows, const std::vector<std::string>
               const DisplayParams& display, bool isOverAngle) {
   const std::size_t all = testsOf(rows).size();
   Plot plot;
-  plot.titleAcross = isOverAngle ? "horizontal viewing angle in degrees, to the right" : "state";
+  const bool isInTime = !rows.empty() && rows.front().frame;
+  plot.titleAcross = isOverAngle ? "horizontal viewing angle in degrees, to the right"
+                     : isInTime  ? "frame"
+                                 : "state";
   plot.titleUp = "PSNR in dB";
   plot.leastRange = {2, 1};
   for (const std::string& test : tests) {
     Plot::Series& series = plot.series.emplace_back(Plot::Series{test, {}});
     for (const ViewPoint& point : pointsOf(rows, test, display)) {
       if (point.kind == PlotKind::none) continue;
-      const double state = 1 + double(point.row / all);
+      const double state =
+          isInTime ? rows[point.row].frame.value_or(0) : 1 + double(point.row / all);
       series.points.push_back({isOverAngle ? angleOf(point.eye) : state, point.psnr,
                                titleOf(point, rows[point.row]), point.row});
       series.points.back().name = viewName(rows[point.row]) + "  " + rounded(point.psnr, 1) + " dB";

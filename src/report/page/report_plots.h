@@ -32,8 +32,8 @@ struct ReportPanel {
 };
 
 /// Returns a plot of each row's PSNR over the eye's horizontal angle, atan2(x, z) in the display
-/// frame, or over the number of its state, from 1; one series for each test. Rows are in
-/// ReportOrder; those with a problem have no point.
+/// frame, or over the number of its state, from 1, or of a light field in time over its frame; one
+/// series for each test. Rows are in ReportOrder; those with a problem have no point.
 Plot psnrPlot(const std::vector<ReportRow>& rows, const DisplayParams& display, bool isOverAngle);
 
 /// Returns the figures testN_above and testN_front, with the eyes in the display frame at equal
