@@ -141,8 +141,8 @@ void ReportPlots::showPictures() {
   if (files.empty()) return;
   const ReportRow& row = m_data.rows[*m_row];
   m_ui->reportPicturesTitle->setText(
-      QString::fromStdString(viewName(row) + "   " + rounded(m_data.psnr(*m_row), 2) + " dB · SSIM " +
-                             rounded(row.values[ssimSeenColumn], 3)));
+      QString::fromStdString(viewName(row) + "   " + rounded(m_data.psnr(*m_row), 2) +
+                             " dB · SSIM " + rounded(row.values[ssimSeenColumn], 3)));
   for (std::size_t k = 0; k < m_images.size(); ++k) {
     m_images[k]->setVisible(k < files.size());
     if (k < files.size())

@@ -90,8 +90,8 @@ QStandardItem* linkCell(const ReportData& data, std::size_t test, bool isBest) {
   const std::optional<std::size_t> state = data.extreme(test, isBest);
   if (!state) return numberCell("–", unknown);
   const std::size_t row = data.order().row(*state, test);
-  auto* item =
-      numberCell(text(viewName(data.rows[row]) + "  " + rounded(data.psnr(row), 1)), data.psnr(row));
+  auto* item = numberCell(text(viewName(data.rows[row]) + "  " + rounded(data.psnr(row), 1)),
+                          data.psnr(row));
   item->setForeground(tokens().focus);
   item->setToolTip(QObject::tr("Shows this state and compares it in the view"));
   return item;
