@@ -27,6 +27,16 @@ TABLE
   --set psf.windowSize=5
 rsvg-convert -w 1400 -b white "$output/sweep/plots/parallel.svg" -o resources/manual/sweep.png
 "$program" --depth --session data/room.json --output "$output/depth"
+data/moving_room.sh "$output/moving" "$program"
+printf 'time,x,y,z\n0,-0.1,0.02,0.6\n2,0.1,0.02,0.56\n' > "$output/moving/walk.csv"
+"$program" --make-cameras "$output/moving/walk.csv" --session "$output/moving/original/{T}" --count 48 \
+  --set lightField.fps=24 --set 'display.size=[0.5,0.5]' --set 'display.fov=[30,30]' \
+  --set cameraSet.keepTemplate=false --output "$output/moving/walking.json"
+(cd "$output/moving" && "../../../$program" --report --session walking.json --output report \
+  --test hevc-22 --test hevc-27 --test hevc-32 --test hevc-37 \
+  --test av1-24 --test av1-34 --test av1-44 --test av1-54)
+rsvg-convert -w 700 -b white "$output/moving/report/plots/frames_mean_psnr_seen.svg" \
+  -o resources/manual/frames_psnr.png
 cp "$output/depth/depth.png" resources/manual/depth_budget.png
 cp "$output/display/tradeoff.png" resources/manual/tradeoff_display.png
 cp "$output/ideal/tradeoff.png" resources/manual/tradeoff_ideal.png
