@@ -211,12 +211,11 @@ void requirePageOf(const ReportRequest& request) {
   for (const ReportTest& test : request.tests) requirePage(test.session);
 }
 
-int runReport(const CommandLine& line) {
-  const bool isQuiet = line.has("quiet");
+/// Returns what the command line asks for; the light fields are open.
+ReportRequest requestOf(const CommandLine& line, const Session& session) {
   ReportRequest request;
   request.name = line.text("session");
   if (isSessionDocument(request.name)) request.sessionFile = request.name;
-  const Session session = loadSelected(line);
   request.session = withEyes(session);
   request.file = openLightField(request.session.lightField, request.session.display);
   request.isAgainstIdeal = line.text("against", "") == "ideal";
@@ -241,9 +240,12 @@ int runReport(const CommandLine& line) {
   request.hasPage = line.has("page");
   if (request.hasPage) requirePageOf(request);
   request.shard = shardOf(line);
-  const FilesInUse inUse(inputsOf(request));
-  checkResults(line, session, filesOf(request));
-  orderTests(request, {});
+  return request;
+}
+
+/// Prints what makes the figures doubtful, and what takes long.
+void warnOfInputs(ReportRequest& request, const Session& session, const CommandLine& line) {
+  const bool isQuiet = line.has("quiet");
   if (!request.shard) {
     warnOfCuts(*request.file, request.session, line);
     warnOfPupils(resolved(displayOf(session), request.file->size()), session, line);
@@ -264,6 +266,29 @@ int runReport(const CommandLine& line) {
     warnOf(*test.file, test.name, line);
     announceStreaming(*test.file, request.memory / 2, isQuiet);
   }
+}
+
+void printResults(const Report& report, const ReportRequest& request) {
+  const fs::path folder = request.output;
+  printFound(folder, report.replacedAnother, report.taken, "views", "report");
+  std::cout << (request.tests.size() == 1
+                    ? summaryText(report.summaries.front().summary, report.rows)
+                    : testsText(report.summaries))
+            << bdText(report.comparisons, request.metrics);
+  for (const std::string& note : harmlessMoves(report.summaries, request.metrics))
+    std::cout << note << "\n";
+  std::cout << timesText(report) << "report in " << printable((folder / "report.html").string())
+            << " and " << printable((folder / "report.csv").string()) << "\n";
+}
+
+int runReport(const CommandLine& line) {
+  const bool isQuiet = line.has("quiet");
+  const Session session = loadSelected(line);
+  ReportRequest request = requestOf(line, session);
+  const FilesInUse inUse(inputsOf(request));
+  checkResults(line, session, filesOf(request));
+  orderTests(request, {});
+  warnOfInputs(request, session, line);
   if (request.hasPage && !request.shard) writePage(request, line);
   const Report report = makeWithProgress(request, line);
   finish(line, session);
@@ -272,18 +297,7 @@ int runReport(const CommandLine& line) {
     if (!isQuiet) printShard(request.shard, std::to_string(views) + " views", "report");
     return 0;
   }
-  if (!isQuiet) {
-    const fs::path folder = line.text("output");
-    printFound(folder, report.replacedAnother, report.taken, "views", "report");
-    std::cout << (request.tests.size() == 1
-                      ? summaryText(report.summaries.front().summary, report.rows)
-                      : testsText(report.summaries))
-              << bdText(report.comparisons, request.metrics);
-    for (const std::string& note : harmlessMoves(report.summaries, request.metrics))
-      std::cout << note << "\n";
-    std::cout << timesText(report) << "report in " << printable((folder / "report.html").string())
-              << " and " << printable((folder / "report.csv").string()) << "\n";
-  }
+  if (!isQuiet) printResults(report, request);
   return checkGate(report.rows, line.number("fail-below"));
 }
 

@@ -65,6 +65,35 @@ void describeLenslets(ParameterVisitor& v, LensletParams& p) {
           "Multiplies the light: for pictures that use few of their bits.");
 }
 
+void describeNames(ParameterVisitor& v, std::string& pattern, std::string& exclude,
+                   ViewScan& scan) {
+  v.field("pattern", pattern,
+          "Names the numbers in the file names: RR row, CC column, NNN running number, x and y "
+          "a coordinate, {T} the number of a frame, * anything. Empty: the known ones are tried, "
+          "then the largest series of pictures.");
+  v.field("exclude", exclude,
+          "File names that are not views, with the shell's wildcards * ? [ ], and ; between "
+          "them: *_thumb.png;input_Cam040.png.");
+  v.field("scan", scan, scanNames,
+          "How one running number, a video's frames too, counts the views: row by row or column by "
+          "column, each from its beginning, or (serpentine) every second one from its end.");
+}
+
+void describeLive(ParameterVisitor& v, std::string& source, LiveType& type) {
+  const std::string sourceBefore = source;
+  v.field(
+      "source", source,
+      "What computes the content: \"scene\" is built in, others are plugins; its parameters are "
+      "an object of that name.");
+  const bool isCapture = source == CaptureContent::sourceName;
+  if (isCapture && source != sourceBefore) type = LiveType::capture;
+  if (!isCapture && type == LiveType::capture) type = LiveType::uint8;
+  v.field("type", type, std::span(typeNames).first(isCapture ? 3 : 2),
+          isCapture ? "How directional pixels are rounded: to 8 bits, not, or (capture) to 8 "
+                      "bits only if the capture has no more."
+                    : "How directional pixels are rounded: to 8 bits, or not.");
+}
+
 }  // namespace
 
 void describe(ParameterVisitor& v, LightFieldParams& p) {
@@ -90,19 +119,7 @@ void describe(ParameterVisitor& v, LightFieldParams& p) {
     v.field("rows", rows, rowOrderNames, "Where the first row of views was taken from.");
     v.field("columns", columns, columnOrderNames, "Where the first column was taken from.");
   }
-  if (layout == Layout::views) {
-    v.field("pattern", pattern,
-            "Names the numbers in the file names: RR row, CC column, NNN running number, x and y "
-            "a coordinate, {T} the number of a frame, * anything. Empty: the known ones are tried, "
-            "then the largest series of pictures.");
-    v.field("exclude", exclude,
-            "File names that are not views, with the shell's wildcards * ? [ ], and ; between "
-            "them: *_thumb.png;input_Cam040.png.");
-    v.field(
-        "scan", scan, scanNames,
-        "How one running number, a video's frames too, counts the views: row by row or column by "
-        "column, each from its beginning, or (serpentine) every second one from its end.");
-  }
+  if (layout == Layout::views) describeNames(v, pattern, exclude, scan);
   if (isGridOfViews(layout))
     v.field("shear", shear, {-1e4, 1e4, 0.1}, "px/view",
             "Moves view (u, v) to the right and down, so that the wanted depth lies on the panel; "
@@ -112,20 +129,7 @@ void describe(ParameterVisitor& v, LightFieldParams& p) {
         "viewingDistance", viewingDistance, {1e-6, 1e6, 0.01, true}, "m",
         "Distance before the panel of the plane on which the views' cameras stood, each looking at "
         "all of the panel; not given: every hogel has the same directions.");
-  if (p.isLive()) {
-    const std::string sourceBefore = source;
-    v.field(
-        "source", source,
-        "What computes the content: \"scene\" is built in, others are plugins; its parameters are "
-        "an object of that name.");
-    const bool isCapture = source == CaptureContent::sourceName;
-    if (isCapture && source != sourceBefore) type = LiveType::capture;
-    if (!isCapture && type == LiveType::capture) type = LiveType::uint8;
-    v.field("type", type, std::span(typeNames).first(isCapture ? 3 : 2),
-            isCapture ? "How directional pixels are rounded: to 8 bits, not, or (capture) to 8 "
-                        "bits only if the capture has no more."
-                      : "How directional pixels are rounded: to 8 bits, or not.");
-  }
+  if (p.isLive()) describeLive(v, source, type);
   if (layout == Layout::quilt) {
     v.field("columns", quiltColumns, {1, 4096, 1, true}, "views",
             "Views side by side; not given: from the file name's _qs{columns}x{rows}a{aspect}.");
