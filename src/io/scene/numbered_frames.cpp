@@ -2,6 +2,7 @@
 #include "io/scene/numbered_frames.h"
 
 #include <algorithm>
+#include <iterator>
 #include <optional>
 #include <utility>
 
@@ -175,17 +176,17 @@ NumberedFrames::NumberedFrames(LightFieldParams params, const DisplayParams& dis
       m_still(m_open(stillOf(m_params, m_digits.at(m_frame)), m_display, progress)) {}
 
 std::vector<fs::path> NumberedFrames::files() const {
-  std::vector<fs::path> files;
-  for (std::size_t k = 0; k < m_frames.count(); ++k) {
-    const LightFieldParams still = stillOf(m_params, m_digits.at(m_frames.number(k)));
-    if (still.layout != Layout::views || !isFolder(still.file)) {
-      files.emplace_back(still.file);
-      continue;
+  std::call_once(m_areFound, [this] {
+    for (std::size_t k = 0; k < m_frames.count(); ++k) {
+      const LightFieldParams still = stillOf(m_params, m_digits.at(m_frames.number(k)));
+      if (still.layout == Layout::views && isFolder(still.file))
+        std::ranges::copy(findViews(still, m_display.directions).found(),
+                          std::back_inserter(m_files));
+      else
+        m_files.emplace_back(still.file);
     }
-    const ViewFiles views = findViews(still, m_display.directions);
-    std::ranges::copy(views.found(), std::back_inserter(files));
-  }
-  return files;
+  });
+  return m_files;
 }
 
 void NumberedFrames::select(int frame) {

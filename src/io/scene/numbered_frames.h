@@ -4,7 +4,9 @@
 
 #include <map>
 #include <memory>
+#include <mutex>
 #include <string>
+#include <vector>
 
 #include "io/layouts/light_field_file.h"
 
@@ -24,7 +26,7 @@ class NumberedFrames : public LightFieldFile {
                  const Progress& progress);
 
   [[nodiscard]] LightFieldSize size() const override { return m_still->size(); }
-  /// Returns the files of all listed frames.
+  /// Returns the files of all listed frames, which are looked for once.
   [[nodiscard]] std::vector<std::filesystem::path> files() const override;
   [[nodiscard]] StoredType type() const override { return m_still->type(); }
   [[nodiscard]] int bits() const override { return m_still->bits(); }
@@ -53,6 +55,8 @@ class NumberedFrames : public LightFieldFile {
   FrameNumbers m_frames;
   int m_frame = 0;
   std::unique_ptr<LightFieldFile> m_still;
+  mutable std::once_flag m_areFound;
+  mutable std::vector<std::filesystem::path> m_files;
 };
 
 /// Returns the first frame of numbered files as a light field of its own; any other light field as
