@@ -109,19 +109,18 @@ class Rendering(Frames):
             for name, data in self.render(still, f"still{k}").items():
                 stills[name.replace(".png", f".frame{k:04}.png")] = data
         self.assertEqual(len(stills), 2 * FRAMES)
-        sessions = {
-            "hogels": self.session(self.hogel_images(light)),
-            "folders": self.session(self.views(light, "take", "{T:04}/{v:02}_{u:02}.png"), "views",
-                                    pattern="{T}/RR_CC.png"),
-            "names": self.session(self.views(light, "flat", "{v}_{u}_t{T}.png"), "views",
-                                  pattern="R_C_t{T}.png"),
-            "a folder": self.session(self.views(light, "deep", "{T}/x/{v}_{u}.png") + "/{T}/x",
-                                     "views"),
-            "videos": self.session(self.videos(light), "views"),
+        kinds = {
+            "hogels": (self.hogel_images(light), "hogels", {}),
+            "folders": (self.views(light, "take", "{T:04}/{v:02}_{u:02}.png"), "views",
+                        {"pattern": "{T}/RR_CC.png"}),
+            "names": (self.views(light, "flat", "{v}_{u}_t{T}.png"), "views",
+                      {"pattern": "R_C_t{T}.png"}),
+            "a folder": (self.views(light, "deep", "{T}/x/{v}_{u}.png") + "/{T}/x", "views", {}),
+            "videos": (self.videos(light), "views", {}),
         }
-        for kind, session in sessions.items():
-            session = shutil.copy(session, self.path(kind + ".json"))
+        for kind, (file, layout, more) in kinds.items():
             with self.subTest(kind):
+                session = self.session(file, layout, **more)
                 self.assertEqual(self.render(session, "out of " + kind, "--frames", "all"),
                                  stills)
 
