@@ -127,12 +127,14 @@ void exportVideo(ExportLayout layout, const Input& input, const CommandLine& lin
 std::size_t exportFrames(ExportLayout layout, const Input& input, const CommandLine& line) {
   LightFieldFile& file = *input.file;
   const std::vector<FrameOutput> frames = outputsOfFrames(line, file);
-  const bool isVideo = isVideoName(line.text("output")) && !file.frames().isStill();
+  const std::string output = line.text("output");
+  const bool isVideo = isVideoName(output) && output.find(frameMark) == std::string::npos &&
+                       !file.frames().isStill();
   std::set<fs::path> outputs;
   for (const FrameOutput& frame : frames) outputs.insert(frame.output);
   checkResults(line, input.session, {outputs.begin(), outputs.end()});
   ProgressBar bar("exporting", line.has("quiet"));
-  for (const fs::path& output : outputs) makeFolderOf(output);
+  for (const fs::path& each : outputs) makeFolderOf(each);
   if (isVideo)
     exportVideo(layout, input, line, frames, bar.progress());
   else

@@ -63,13 +63,13 @@ void Comparison::startDesigned() {
 
 void Comparison::startKept(const QString& name) {
   if (!m_own) return;  // it is being read
-  set({.name = name, .source = m_own, .hasOwnDisplay = true, .isKept = true});
+  set({.name = name, .source = m_own, .hasOwnDisplay = true});
 }
 
 void Comparison::showFrame(const std::shared_ptr<const LightFieldSource>& own,
                            const std::shared_ptr<const LightFieldSource>& other) {
   if (!m_other.source) return;
-  if (m_other.isKept)
+  if (m_own && m_other.source->lightField == m_own->lightField)  // not one that was read before
     m_other.source->lightField = own;
   else if (m_other.session && other)
     m_other.source->lightField = other;

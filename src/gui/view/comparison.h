@@ -69,7 +69,6 @@ class Comparison : public QObject {
     std::optional<ViewSource> source = {};  ///< none if it follows
     Follows follows = Follows::nothing;
     bool hasOwnDisplay = false;
-    bool isKept = false;                  ///< the session's own light field on another display
     std::optional<Session> session = {};  ///< that `source` was read from
   };
   void read(Other other, const Session& session);
