@@ -1,5 +1,5 @@
 # hogelscope_add_plugin(NAME mesh VERSION 1.0 SOURCES mesh.cpp LIBRARIES embree KINDS content)
-# Builds PLUGINS/NAME/NAME.so, where PLUGINS is plugins-2 of the build folder, and writes plugin.json beside it:
+# Builds PLUGINS/NAME/NAME.so, where PLUGINS is plugins-3 of the build folder, and writes plugin.json beside it:
 # what the program reads before it loads the library. KINDS: content, lens, metric. The target is
 # hogelscope_plugin_NAME. Works in the source tree and, after find_package(Hogelscope), outside of it: the
 # headers come from the target Hogelscope::plugin.
@@ -44,7 +44,7 @@ endfunction()
 function(hogelscope_add_plugin)
   cmake_parse_arguments(ARG "" "NAME;VERSION" "SOURCES;LIBRARIES;KINDS" ${ARGN})
   set(target hogelscope_plugin_${ARG_NAME})
-  set(folder ${CMAKE_BINARY_DIR}/plugins-2/${ARG_NAME})
+  set(folder ${CMAKE_BINARY_DIR}/plugins-3/${ARG_NAME})
   hogelscope_read_plugin_abi()
   add_library(${target} MODULE ${ARG_SOURCES})
   target_link_libraries(${target} PRIVATE Hogelscope::plugin ${ARG_LIBRARIES})

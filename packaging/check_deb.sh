@@ -111,7 +111,7 @@ echo "$(find "$root/out" -type f | wc -l) pictures are equal to the build tree's
 # Loads the codecs.
 inside "$root" hogelscope --render --quiet --session $samples/table1.hogelscope --states 'Fig 4' \
   --format tif --output /codecs
-inside "$root" hogelscope --plugins | grep '^mesh .*/usr/lib/.*hogelscope/plugins-2/mesh$' ||
+inside "$root" hogelscope --plugins | grep '^mesh .*/usr/lib/.*hogelscope/plugins-3/mesh$' ||
   fail "the plugin mesh is not found"
 apt install "$(deb hogelscope-window)"
 inside "$root" hogelscope 2>"$work/log" || true

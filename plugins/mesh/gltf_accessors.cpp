@@ -65,7 +65,8 @@ std::size_t componentsOf(const std::string& type) {
   if (type == "VEC2") return 2;
   if (type == "VEC3") return 3;
   if (type == "VEC4") return 4;
-  return 0;  // matrices are used by animations only
+  if (type == "MAT4") return 16;
+  return 0;  // nothing uses smaller matrices
 }
 
 }  // namespace
@@ -198,10 +199,12 @@ Numbers GltfData::numbers(std::size_t accessor) const {
   return {elements<float>(accessor, layout), layout.components};
 }
 
-std::vector<std::uint32_t> GltfData::indices(std::size_t accessor) const {
+std::vector<std::uint32_t> GltfData::indices(std::size_t accessor, std::size_t components) const {
   const Layout layout = this->layout(accessor);
-  if (layout.components != 1 || layout.divisor != 1)
-    fail(layout.name, "must be a list of whole numbers");
+  if (layout.components != components || layout.divisor != 1)
+    fail(layout.name, components == 1
+                          ? "must be a list of whole numbers"
+                          : "must have " + std::to_string(components) + " whole numbers in a row");
   return elements<std::uint32_t>(accessor, layout);
 }
 

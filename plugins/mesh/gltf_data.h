@@ -68,8 +68,9 @@ class GltfData {
   [[nodiscard]] double bytes(std::size_t accessor) const;
   /// Returns the numbers of an accessor; normalised integers become 0 … 1 or −1 … 1.
   [[nodiscard]] Numbers numbers(std::size_t accessor) const;
-  /// Returns the integers of an accessor.
-  [[nodiscard]] std::vector<std::uint32_t> indices(std::size_t accessor) const;
+  /// Returns the integers of an accessor with so many in a row.
+  [[nodiscard]] std::vector<std::uint32_t> indices(std::size_t accessor,
+                                                   std::size_t components = 1) const;
   [[nodiscard]] std::string_view bufferView(std::size_t index) const;
   /// Returns the path of the existing file beside this one that a URI refers to.
   [[nodiscard]] std::string fileOf(const std::string& uri, const std::string& what) const;

@@ -1,34 +1,28 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// glTF 2.0: the scene's nodes with their meshes and lights. Animations, skins and morph targets
-// stay at rest, with a note.
+// glTF 2.0: the scene's nodes with their meshes, skins and lights, at rest or with an animation.
+// Morph targets are not applied, which is noted.
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <numeric>
+#include <optional>
 #include <utility>
 
 #include "errors.h"
 #include "gltf_data.h"
 #include "gltf_materials.h"
+#include "gltf_motion.h"
 #include "mesh_reader.h"
 
 namespace hogelscope::mesh {
 
 namespace {
 
-/// Returns a quaternion's rotation; its length must not be 0.
-std::array<Vec3, 3> rotation(double x, double y, double z, double w) {
-  const double n = x * x + y * y + z * z + w * w;
-  const double s = n > 0 ? 2 / n : 0;
-  return {Vec3{1 - s * (y * y + z * z), s * (x * y + z * w), s * (x * z - y * w)},
-          Vec3{s * (x * y - z * w), 1 - s * (x * x + z * z), s * (y * z + x * w)},
-          Vec3{s * (x * z + y * w), s * (y * z - x * w), 1 - s * (x * x + y * y)}};
-}
-
-/// A primitive of a node, and the node's frame.
+/// A primitive of a node.
 struct Placed {
   const Json* primitive = nullptr;
-  Affine frame;
+  std::size_t node = 0;               ///< its place
+  std::size_t skin = GltfData::none;  ///< the node's, in Parts::skins
 };
 
 /// The sizes of a primitive or of all of them.
@@ -36,123 +30,66 @@ struct Sizes {
   double points = 0;
   double triangles = 0;
   double numbers = 0;  ///< bytes used while they are read
+  double kept = 0;     ///< bytes of those that an animation needs
 };
 
 class GltfReader {
  public:
-  explicit GltfReader(Reading& reading)
-      : m_reading(reading), m_data(reading), m_materials(m_data) {}
+  GltfReader(Reading& reading, const std::string& animation)
+      : m_reading(reading), m_data(reading), m_nodes(m_data), m_materials(m_data) {
+    if (!animation.empty()) m_animation.emplace(m_data, m_nodes, animation);
+  }
 
   Mesh read() {
     m_mesh.materials = m_materials.read();
     m_lights = readLights(m_data);
-    walk(rootNodes());
+    for (std::size_t place = 0; place < m_nodes.count(); ++place) readNode(place);
     measure();
+    std::vector<NodePose> poses = m_nodes.rest();
+    if (m_animation) m_animation->apply(0, poses);
+    const std::vector<Affine> frames = m_nodes.frames(poses);
+    for (const Lamp& lamp : m_parts.lamps) place(lamp, frames, m_mesh);
     for (std::size_t k = 0; k < m_primitives.size(); ++k) {
       m_reading.report(k, m_primitives.size());
-      readPrimitive(*m_primitives[k].primitive, m_primitives[k].frame);
+      readPrimitive(m_primitives[k], frames);
     }
     m_mesh.fillAttributes();
     m_mesh.files = m_data.files();
     m_materials.finish(m_mesh);
     addNotes();
+    if (m_animation)
+      m_mesh.motion = std::make_shared<const GltfMotion>(
+          std::move(m_nodes), std::move(*m_animation), std::move(m_parts));
     return std::move(m_mesh);
   }
 
  private:
-  using Places = std::vector<std::pair<std::size_t, Affine>>;  // nodes with their parents' frames
-
-  [[nodiscard]] std::vector<std::size_t> indexList(const Json& object, const char* member) const {
-    std::vector<std::size_t> list;
-    const auto found = object.find(member);
-    if (found == object.end()) return list;
-    if (!found->is_array()) m_data.fail(member, "must be a list of indices");
-    for (const Json& index : *found) {
-      if (!index.is_number_unsigned()) m_data.fail(member, "must be a list of indices");
-      list.push_back(index.get<std::size_t>());
-    }
-    return list;
-  }
-
-  /// Returns the scene's nodes; without scenes, all nodes that are not children.
-  [[nodiscard]] std::vector<std::size_t> rootNodes() const {
-    const Json& root = m_data.root();
-    if (root.contains("scenes")) {
-      const std::size_t scene = m_data.index(root, "scene");
-      return indexList(m_data.entry("scenes", scene == GltfData::none ? 0 : scene), "nodes");
-    }
-    const std::size_t count = m_data.listAt("nodes").size();
-    std::vector<bool> isChild(count);
-    for (std::size_t k = 0; k < count; ++k)
-      for (const std::size_t child : indexList(m_data.entry("nodes", k), "children"))
-        if (child < count) isChild[child] = true;
-    std::vector<std::size_t> nodes;
-    for (std::size_t k = 0; k < count; ++k)
-      if (!isChild[k]) nodes.push_back(k);
-    return nodes;
-  }
-
-  /// Visits a node, then its children, in the file's order.
-  void walk(const std::vector<std::size_t>& roots) {
-    Places open;
-    const auto push = [&](const std::vector<std::size_t>& nodes, const Affine& parent) {
-      for (auto k = nodes.rbegin(); k != nodes.rend(); ++k) open.emplace_back(*k, parent);
-    };
-    push(roots, {});
-    std::vector<bool> isVisited(m_data.listAt("nodes").size());
-    while (!open.empty()) {
-      m_reading.poll();
-      const auto [index, parent] = open.back();
-      open.pop_back();
-      const Json& node = m_data.entry("nodes", index);
-      if (isVisited[index]) m_data.fail(named("nodes", index), "stands in the tree twice");
-      isVisited[index] = true;
-      const Affine frame = parent * transformOf(node);
-      push(indexList(node, "children"), frame);
-      readNode(node, frame);
-    }
-  }
-
-  [[nodiscard]] Affine transformOf(const Json& node) const {
-    const std::vector<double> m = m_data.list(node, "matrix", 16);
-    if (!m.empty())
-      return {{Vec3{m[0], m[1], m[2]}, Vec3{m[4], m[5], m[6]}, Vec3{m[8], m[9], m[10]}},
-              {m[12], m[13], m[14]}};
-    Affine local;
-    const std::vector<double> r = m_data.list(node, "rotation", 4);
-    const std::vector<double> s = m_data.list(node, "scale", 3);
-    const std::vector<double> t = m_data.list(node, "translation", 3);
-    if (!r.empty()) local.axes = rotation(r[0], r[1], r[2], r[3]);
-    for (std::size_t k = 0; k < 3 && !s.empty(); ++k) local.axes[k] = s[k] * local.axes[k];
-    if (!t.empty()) local.origin = {t[0], t[1], t[2]};
-    return local;
-  }
-
-  void readNode(const Json& node, const Affine& frame) {
+  void readNode(std::size_t place) {
+    const Json& node = m_data.entry("nodes", m_nodes.numberOf(place));
     const std::size_t mesh = m_data.index(node, "mesh");
     if (mesh != GltfData::none) {
       const Json& object = m_data.entry("meshes", mesh);
       const auto primitives = object.find("primitives");
       if (primitives == object.end() || !primitives->is_array())
         m_data.fail(named("meshes", mesh), "has no list of primitives");
-      for (const Json& primitive : *primitives) placePrimitive(primitive, frame);
+      const std::size_t skin = m_data.index(node, "skin");
+      if (skin != GltfData::none) m_parts.skins.push_back(readSkin(m_data, m_nodes, skin));
+      for (const Json& primitive : *primitives)
+        placePrimitive(primitive, place, skin == GltfData::none ? skin : m_parts.skins.size() - 1);
     }
     const auto extensions = node.find("extensions");
     if (extensions == node.end() || !extensions->is_object()) return;
     const auto lamp = extensions->find("KHR_lights_punctual");
-    if (lamp != extensions->end() && lamp->is_object()) placeLight(*lamp, frame);
+    if (lamp != extensions->end() && lamp->is_object()) placeLight(*lamp, place);
   }
 
-  void placeLight(const Json& lamp, const Affine& frame) {
+  void placeLight(const Json& lamp, std::size_t place) {
     const std::size_t index = m_data.index(lamp, "light");
     if (index >= m_lights.size()) m_data.fail("a node's light", "is not in the list of lights");
-    Light light = m_lights[index];
-    light.position = frame.origin;
-    light.direction = normalise(frame.direction({0, 0, -1}));
-    m_mesh.lights.push_back(light);
+    m_parts.lamps.push_back({place, m_lights[index]});
   }
 
-  void placePrimitive(const Json& primitive, const Affine& frame) {
+  void placePrimitive(const Json& primitive, std::size_t place, std::size_t skin) {
     if (!primitive.is_object() || !primitive.contains("attributes") ||
         !primitive["attributes"].is_object())
       m_data.fail("a primitive", "has no attributes");
@@ -162,10 +99,11 @@ class GltfReader {
       return;
     }
     m_reading.take(2 * sizeof(Placed));
-    m_primitives.push_back({&primitive, frame});
+    m_primitives.push_back({&primitive, place, skin});
   }
 
-  [[nodiscard]] Sizes sizesOf(const Json& primitive) const {
+  [[nodiscard]] Sizes sizesOf(const Placed& placed) const {
+    const Json& primitive = *placed.primitive;
     const Json& attributes = primitive["attributes"];
     const std::size_t places = m_data.index(attributes, "POSITION");
     if (places == GltfData::none) m_data.fail("a primitive", "has no attribute POSITION");
@@ -177,7 +115,9 @@ class GltfReader {
     for (const auto& [name, bytes] : attributeBytes)
       if (const std::size_t accessor = m_data.index(attributes, name); accessor != GltfData::none)
         sizes.numbers += m_data.bytes(accessor);
-    sizes.numbers = std::max(sizes.numbers, 2 * corners * sizeof(std::uint32_t));
+    const double binding = placed.skin == GltfData::none ? 0 : bytesOfBinding(m_data, attributes);
+    sizes.numbers = std::max(sizes.numbers + binding, 2 * corners * sizeof(std::uint32_t));
+    if (m_animation) sizes.kept = sizes.numbers + sceneBytesOfMotion * rows;
     return sizes;
   }
 
@@ -197,22 +137,25 @@ class GltfReader {
     Sizes whole;
     for (std::size_t k = 0; k < m_primitives.size(); ++k) {
       if (k % 1024 == 0) m_reading.poll();
-      const Sizes sizes = sizesOf(*m_primitives[k].primitive);
+      const Sizes sizes = sizesOf(m_primitives[k]);
       whole = {whole.points + sizes.points, whole.triangles + sizes.triangles,
-               std::max(whole.numbers, sizes.numbers)};
+               std::max(whole.numbers, sizes.numbers), whole.kept + sizes.kept};
     }
     if (whole.points > 3.0 * mostTriangles || whole.triangles > double(mostTriangles))
       m_data.fail("the scene", "stands for more than 33554432 triangles");
     constexpr double bytesOfTriangle =
         sizeof(Corners) + sizeof(std::uint32_t) + sceneBytesOfTriangle;
-    m_reading.take(whole.numbers + whole.points * bytesOfPoint() +
-                   whole.triangles * bytesOfTriangle);
+    // While a moving scene is built at another time, the last one is there.
+    const double scenes = m_animation ? 2 : 1;
+    m_reading.take(whole.numbers + whole.kept + whole.points * bytesOfPoint() +
+                   whole.triangles * (bytesOfTriangle + (scenes - 1) * sceneBytesOfTriangle));
   }
 
-  void readPrimitive(const Json& primitive, const Affine& frame) {
+  void readPrimitive(const Placed& placed, const std::vector<Affine>& frames) {
+    const Json& primitive = *placed.primitive;
     const double mode = m_data.number(primitive, "mode", 4);
     const std::size_t first = m_mesh.points.size();
-    appendPoints(primitive["attributes"], frame);
+    appendPoints(placed, frames);
     const std::size_t accessor = m_data.index(primitive, "indices");
     std::vector<std::uint32_t> corners(m_mesh.points.size() - first);
     std::iota(corners.begin(), corners.end(), 0U);
@@ -234,31 +177,32 @@ class GltfReader {
     const std::size_t accessor = m_data.index(attributes, name);
     if (accessor == GltfData::none) return {};
     Numbers numbers = m_data.numbers(accessor);
-    if (numbers.components < least || (rows != 0 && numbers.rows() != rows))
+    constexpr std::size_t most = 4;
+    if (numbers.components < least || numbers.components > most ||
+        (rows != 0 && numbers.rows() != rows))
       m_data.fail(named("accessors", accessor), std::string("does not fit the points as ") + name);
     return numbers;
   }
 
-  void appendPoints(const Json& attributes, const Affine& frame) {
-    const Numbers points = attribute(attributes, "POSITION", 3, 0);
-    const std::size_t first = m_mesh.points.size();
-    const auto row = [](const Numbers& n, std::size_t k) { return &n.values[k * n.components]; };
-    for (std::size_t k = 0; k < points.rows(); ++k) {
-      const float* p = row(points, k);
-      m_mesh.points.push_back(frame.point({p[0], p[1], p[2]}));
+  void appendPoints(const Placed& placed, const std::vector<Affine>& frames) {
+    const Json& attributes = (*placed.primitive)["attributes"];
+    Part part;
+    part.node = placed.node;
+    part.points = attribute(attributes, "POSITION", 3, 0);
+    const std::size_t count = part.points.rows();
+    part.normals = attribute(attributes, "NORMAL", 3, count);
+    if (placed.skin != GltfData::none) {
+      part.skin = placed.skin;
+      part.binding = readBinding(m_data, attributes, count, m_parts.skins[placed.skin]);
     }
-    const Numbers normals = attribute(attributes, "NORMAL", 3, points.rows());
-    const Numbers colours = attribute(attributes, "COLOR_0", 3, points.rows());
-    const Numbers uv = attribute(attributes, "TEXCOORD_0", 2, points.rows());
-    if (!normals.values.empty()) m_mesh.normals.resize(first);
+    const Numbers colours = attribute(attributes, "COLOR_0", 3, count);
+    const Numbers uv = attribute(attributes, "TEXCOORD_0", 2, count);
+    const auto row = [](const Numbers& n, std::size_t k) { return &n.values[k * n.components]; };
+    const std::size_t first = m_mesh.points.size();
+    place(part, m_parts.skins, frames, m_mesh);
     if (!colours.values.empty()) m_mesh.colours.resize(first, Linear{1, 1, 1});
     if (!uv.values.empty()) m_mesh.uv.resize(first);
-    for (std::size_t k = 0; k < points.rows(); ++k) {
-      if (!normals.values.empty()) {
-        const float* n = row(normals, k);
-        const Vec3 turned = normalise(frame.normal({n[0], n[1], n[2]}));
-        m_mesh.normals.push_back({float(turned.x), float(turned.y), float(turned.z)});
-      }
+    for (std::size_t k = 0; k < count; ++k) {
       if (!colours.values.empty()) {
         const float* c = row(colours, k);
         m_mesh.colours.push_back({c[0], c[1], c[2]});
@@ -266,6 +210,7 @@ class GltfReader {
       if (!uv.values.empty()) m_mesh.uv.push_back({row(uv, k)[0], row(uv, k)[1]});
     }
     m_mesh.fillAttributes();
+    if (m_animation) m_parts.parts.push_back(std::move(part));
   }
 
   /// Appends triangles of glTF's modes: 4 triangles, 5 a strip, 6 a fan.
@@ -277,14 +222,18 @@ class GltfReader {
   }
 
   void addNotes() {
-    const auto note = [&](const char* list, const std::string& one) {
-      const std::size_t count = m_data.listAt(list).size();
-      if (count == 1) m_mesh.notes.push_back("Its " + one + " stays at rest.");
-      if (count > 1)
-        m_mesh.notes.push_back("Its " + std::to_string(count) + " " + one + "s stay at rest.");
-    };
-    note("animations", "animation");
-    note("skins", "skin");
+    const std::size_t animations = m_data.listAt("animations").size();
+    if (!m_animation && animations > 0)
+      m_mesh.notes.push_back((animations == 1
+                                  ? "Its animation stays"
+                                  : "Its " + std::to_string(animations) + " animations stay") +
+                             " at rest; mesh.animation is a name or a number of one.");
+    if (m_animation && animations > 1)
+      m_mesh.notes.push_back("Of its " + std::to_string(animations) +
+                             " animations one is shown; mesh.animation chooses it.");
+    if (m_animation && m_animation->movesOthers())
+      m_mesh.notes.emplace_back(
+          "Its animation also moves what is not shown, such as morph targets.");
     if (m_hasTargets) m_mesh.notes.emplace_back("Its morph targets are not applied.");
     if (m_hasLines) m_mesh.notes.emplace_back("Its points and lines are not shown.");
     if (const std::size_t scenes = m_data.listAt("scenes").size(); scenes > 1)
@@ -304,11 +253,18 @@ class GltfReader {
        {"COLOR_0", sizeof(Linear)},
        {"TEXCOORD_0", sizeof(Mesh::uv[0])}}};
 
+  /// An animation needs a point a second time, while the last posture is there.
+  static constexpr double sceneBytesOfMotion =
+      sizeof(Vec3) + sizeof(Mesh::normals[0]) + sceneBytesOfPoint;
+
   Reading& m_reading;
   GltfData m_data;
+  GltfNodes m_nodes;
+  std::optional<GltfAnimation> m_animation;
   MaterialReader m_materials;
   Mesh m_mesh;
   std::vector<Light> m_lights;
+  Parts m_parts;
   std::vector<Placed> m_primitives;
   bool m_hasTargets = false;
   bool m_hasLines = false;
@@ -316,8 +272,8 @@ class GltfReader {
 
 }  // namespace
 
-Mesh readGltf(Reading& reading) {
-  return GltfReader(reading).read();
+Mesh readGltf(Reading& reading, const std::string& animation) {
+  return GltfReader(reading, animation).read();
 }
 
 }  // namespace hogelscope::mesh

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -65,20 +66,36 @@ struct Light {
   double cosOuter = 0;       ///< and none outside this one
 };
 
-/// A mesh with its materials and lights. Point attributes are empty if no part of the file has
-/// them. A zero normal means none.
-struct Mesh {
+/// The parts of a mesh that may move. There are no normals if no part of the file has them; a zero
+/// normal means none.
+struct Posture {
   std::vector<Vec3> points;
   std::vector<std::array<float, 3>> normals;
+  std::vector<Light> lights;
+};
+
+/// The animation of a mesh.
+class Motion {
+ public:
+  virtual ~Motion() = default;
+  /// Returns how many seconds it lasts.
+  [[nodiscard]] virtual double duration() const = 0;
+  /// Returns the parts that move at a time.
+  [[nodiscard]] virtual Posture at(double seconds) const = 0;
+};
+
+/// A mesh with its materials and lights, at the time 0 of its animation. Point attributes are empty
+/// if no part of the file has them.
+struct Mesh : Posture {
   std::vector<Linear> colours;
   std::vector<std::array<float, 2>> uv;  ///< v points down from the image's top
   std::vector<Corners> triangles;
   std::vector<std::uint32_t> materialOf;  ///< of each triangle
   std::vector<Material> materials;
   std::vector<Texture> textures;
-  std::vector<Light> lights;
-  std::vector<std::string> files;  ///< all files read; the first is the mesh's own
-  std::vector<std::string> notes;  ///< sentences on parts of the files that are not shown
+  std::shared_ptr<const Motion> motion;  ///< null: it stays at rest
+  std::vector<std::string> files;        ///< all files read; the first is the mesh's own
+  std::vector<std::string> notes;        ///< sentences on parts of the files that are not shown
 
   /// Adds missing attributes of the newest points, or of earlier ones.
   void fillAttributes();

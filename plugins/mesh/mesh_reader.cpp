@@ -18,9 +18,11 @@ std::string endingOf(const std::string& file) {
   return ending;
 }
 
-Mesh readByEnding(Reading& reading) {
+Mesh readByEnding(Reading& reading, const std::string& animation) {
   const std::string ending = endingOf(reading.file());
-  if (ending == ".gltf" || ending == ".glb") return readGltf(reading);
+  if (ending == ".gltf" || ending == ".glb") return readGltf(reading, animation);
+  if (!animation.empty())
+    fail(reading.file(), "has no animation " + animation, "leave mesh.animation empty");
   if (ending == ".obj") return readObj(reading);
   if (ending == ".ply") return readPly(reading);
   fail(reading.file(), "is no known kind of mesh", "use .gltf, .glb, .obj or .ply");
@@ -62,9 +64,10 @@ std::string besides(const std::string& file, const std::string& name) {
   return std::filesystem::path(file).parent_path() / name;
 }
 
-Mesh readMesh(const std::string& file, std::uint64_t memory, const plugin::Progress& progress) {
+Mesh readMesh(const std::string& file, std::uint64_t memory, const plugin::Progress& progress,
+              const std::string& animation) {
   Reading reading(file, memory, progress);
-  Mesh mesh = readByEnding(reading);
+  Mesh mesh = readByEnding(reading, animation);
   check(mesh, file);
   return mesh;
 }

@@ -11,12 +11,14 @@
 
 namespace hogelscope::mesh {
 
-/// Reads a file by its extension. Throws one line that names the file for anything that prevents a
+/// Reads a file by its extension, with one of its animations, by name or number, or ("") at rest.
+/// Throws one line that names the file for anything that prevents a
 /// complete mesh: missing parts, indices out of range, NaN, no faces, more than `memory` bytes for
 /// the mesh, its textures and its scene; and "stopped" if the listener cancels.
-Mesh readMesh(const std::string& file, std::uint64_t memory, const plugin::Progress& progress);
+Mesh readMesh(const std::string& file, std::uint64_t memory, const plugin::Progress& progress,
+              const std::string& animation = {});
 
-Mesh readGltf(Reading& reading);
+Mesh readGltf(Reading& reading, const std::string& animation);
 Mesh readObj(Reading& reading);
 Mesh readPly(Reading& reading);
 

@@ -15,6 +15,7 @@ namespace hogelscope::mesh {
 
 struct MeshParams {
   std::string file;
+  std::string animation;  ///< its name or number; "": at rest
   Vec3 position;
   Vec3 orientation;  ///< degrees
   double scale = 1;
@@ -31,6 +32,11 @@ class MeshSource : public plugin::ContentSource {
   /// changed. If it throws, the source keeps showing its previous content.
   void open(const plugin::Panel& panel, const plugin::Place& place,
             const plugin::Progress& progress) override;
+  [[nodiscard]] double duration() const override {
+    return m_mesh->motion ? m_mesh->motion->duration() : 0;
+  }
+  /// Builds the scene at another time. If it throws, the source keeps its time.
+  void setTime(double seconds) override;
   [[nodiscard]] std::vector<std::string> files() const override { return m_mesh->files; }
   [[nodiscard]] std::vector<std::string> notes() const override { return m_mesh->notes; }
   void depths(double& back, double& front) const override;
@@ -49,11 +55,16 @@ class MeshSource : public plugin::ContentSource {
 
   void read(const std::string& file, const plugin::Place& place, const plugin::Progress& progress);
   [[nodiscard]] static std::vector<Version> versionsOf(const std::vector<std::string>& files);
+  void setLook();
 
   MeshParams m_params;
   std::shared_ptr<const Mesh> m_mesh;
   std::vector<Version> m_versions;  ///< of m_mesh's files at the time of reading
-  Pose m_pose;                      ///< of m_shown
+  std::string m_animation;          ///< of m_mesh
+  plugin::Panel m_panel{};
+  int m_threads = 1;
+  Pose m_pose;        ///< of m_shown
+  double m_time = 0;  ///< of m_shown, seconds
   std::unique_ptr<ShadedMesh> m_shown;
 };
 

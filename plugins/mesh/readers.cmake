@@ -3,10 +3,14 @@ add_library(hogelscope_mesh_readers STATIC
   ${CMAKE_CURRENT_LIST_DIR}/errors.cpp
   ${CMAKE_CURRENT_LIST_DIR}/found_files.cpp
   ${CMAKE_CURRENT_LIST_DIR}/gltf_accessors.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/gltf_animation.cpp
   ${CMAKE_CURRENT_LIST_DIR}/gltf_data.cpp
   ${CMAKE_CURRENT_LIST_DIR}/gltf_layers.cpp
   ${CMAKE_CURRENT_LIST_DIR}/gltf_materials.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/gltf_motion.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/gltf_nodes.cpp
   ${CMAKE_CURRENT_LIST_DIR}/gltf_reader.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/gltf_skins.cpp
   ${CMAKE_CURRENT_LIST_DIR}/mesh.cpp
   ${CMAKE_CURRENT_LIST_DIR}/mesh_reader.cpp
   ${CMAKE_CURRENT_LIST_DIR}/mtl_reader.cpp

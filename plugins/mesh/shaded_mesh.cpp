@@ -24,15 +24,16 @@ Affine displayFromFile(const Pose& pose) {
   return {{pose.scale * turn.xAxis, pose.scale * turn.yAxis, pose.scale * turn.zAxis}, turn.origin};
 }
 
-std::vector<float> placedPoints(const Mesh& mesh, const Affine& frame, double scale) {
+std::vector<float> placedPoints(const Posture& posture, const Affine& frame, double scale,
+                                const std::string& file) {
   std::vector<float> points;
-  points.reserve(mesh.points.size() * 3 + 1);
+  points.reserve(posture.points.size() * 3 + 1);
   constexpr double farthest = 1e6;
   constexpr double leastScale = 1e-5;  // a smaller scale leaves almost nothing
-  for (const Vec3& point : mesh.points) {
+  for (const Vec3& point : posture.points) {
     const Vec3 p = frame.point(point);
     if (!(std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}) <= farthest))
-      fail(mesh.files[0], "reaches farther than 1000 km from the panel",
+      fail(file, "reaches farther than 1000 km from the panel",
            scale > leastScale ? "make its scale smaller" : "it is too large for any scale");
     for (const double x : {p.x, p.y, p.z}) points.push_back(float(x));
   }
@@ -64,11 +65,14 @@ auto blended(const List& list, const Corners& corners, const std::array<double, 
 
 }  // namespace
 
-ShadedMesh::ShadedMesh(std::shared_ptr<const Mesh> mesh, const Pose& pose, int threads,
-                       const plugin::Progress& progress)
-    : m_mesh(std::move(mesh)), m_materialOf(m_mesh->materialOf), m_unit(pose.scale) {
+ShadedMesh::ShadedMesh(std::shared_ptr<const Mesh> mesh, std::shared_ptr<const Posture> posture,
+                       const Pose& pose, int threads, const plugin::Progress& progress)
+    : m_mesh(std::move(mesh)),
+      m_posture(std::move(posture)),
+      m_materialOf(m_mesh->materialOf),
+      m_unit(pose.scale) {
   const Affine frame = displayFromFile(pose);
-  std::vector<float> points = placedPoints(*m_mesh, frame, pose.scale);
+  std::vector<float> points = placedPoints(*m_posture, frame, pose.scale, m_mesh->files[0]);
   std::vector<Corners> triangles = withoutRepeated(m_mesh->triangles, points, m_materialOf);
   m_displayFromFile = frame;
   m_back = std::numeric_limits<double>::max();
@@ -86,7 +90,7 @@ ShadedMesh::ShadedMesh(std::shared_ptr<const Mesh> mesh, const Pose& pose, int t
 }
 
 void ShadedMesh::placeLights(const Affine& frame) {
-  for (Light light : m_mesh->lights) {
+  for (Light light : m_posture->lights) {
     light.position = frame.point(light.position);
     light.direction = normalise(frame.direction(light.direction));
     m_lights.push_back(light);
@@ -180,8 +184,8 @@ Linear ShadedMesh::textureColour(const Hit& hit, const Layer& layer) const {
 }
 
 Vec3 ShadedMesh::shadingNormal(const Hit& hit, const Vec3& geometric) const {
-  if (m_mesh->normals.empty()) return geometric;
-  const auto mean = blended(m_mesh->normals, m_scene->corners(hit.triangle), hit.weights);
+  if (m_posture->normals.empty()) return geometric;
+  const auto mean = blended(m_posture->normals, m_scene->corners(hit.triangle), hit.weights);
   const Vec3 n = normalise(m_displayFromFile.direction({mean[0], mean[1], mean[2]}));
   if (n == Vec3{}) return geometric;
   return dot(n, geometric) < 0 ? -1.0 * n : n;

@@ -23,10 +23,10 @@ struct Pose {
 
 class ShadedMesh {
  public:
-  /// Keeps triangles with the same three points once. Throws if the pose moves a point farther than
-  /// 10⁶ m.
-  ShadedMesh(std::shared_ptr<const Mesh> mesh, const Pose& pose, int threads,
-             const plugin::Progress& progress);
+  /// Shows the mesh in a posture, its own or one of its motion. Keeps triangles with the same three
+  /// points once. Throws if the pose moves a point farther than 10⁶ m.
+  ShadedMesh(std::shared_ptr<const Mesh> mesh, std::shared_ptr<const Posture> posture,
+             const Pose& pose, int threads, const plugin::Progress& progress);
 
   /// Sets the shading of surfaces. The panel determines how much of a texture a ray covers.
   void setLook(Shading shading, const plugin::Panel& panel, const plugin::Colour& background);
@@ -51,6 +51,7 @@ class ShadedMesh {
   [[nodiscard]] Vec3 shadingNormal(const Hit& hit, const Vec3& geometric) const;
 
   std::shared_ptr<const Mesh> m_mesh;
+  std::shared_ptr<const Posture> m_posture;
   std::vector<std::uint32_t> m_materialOf;  ///< of the remaining triangles
   std::unique_ptr<EmbreeScene> m_scene;
   Affine m_displayFromFile;

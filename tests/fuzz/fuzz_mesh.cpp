@@ -70,6 +70,15 @@ void fuzz(std::string_view input) {
   constexpr std::uint64_t memory = 50000000;
   try {
     checkMesh(mesh::readMesh(file, memory, Going{}));
+    const mesh::Mesh moving = mesh::readMesh(file, memory, Going{}, "0");  // refused without one
+    checkMesh(moving);
+    const double end = moving.motion->duration();
+    for (const double time : {0.0, end / 3, end, end + 1}) {
+      const mesh::Posture posture = moving.motion->at(time);
+      require(posture.points.size() == moving.points.size());
+      require(posture.normals.size() == moving.normals.size());
+      require(posture.lights.size() == moving.lights.size());
+    }
   } catch (const std::runtime_error& error) {
     mayRefuse([&] { throw InputError("", error.what()); });
     require(std::string_view(error.what()).find('\n') == std::string_view::npos);

@@ -4,10 +4,12 @@
 #include <QAction>
 #include <QLabel>
 #include <QPushButton>
+#include <QSignalSpy>
 #include <QSlider>
 #include <QTableView>
 
 #include "gui/docks/report_dock.h"
+#include "gui/files/light_field_output.h"
 #include "gui/view/frame_bar.h"
 #include "gui/view/image_commands.h"
 #include "gui/view/image_widget.h"
@@ -45,6 +47,30 @@ void writeOthers() {
     });
 }
 
+/// Writes m.json, of a card that an animation moves to the right in half a second, 8 frames/s.
+void writeMoving() {
+  const std::vector<float> numbers{-0.05F, -0.05F, 0, 0.05F, -0.05F, 0, 0, 0.05F, 0,  // the card
+                                   0,      0.5F,                                      // times
+                                   -0.1F,  0,      0, 0.1F,  0,      0};              // places
+  const QByteArray bytes(reinterpret_cast<const char*>(numbers.data()),
+                         qsizetype(numbers.size() * sizeof(float)));
+  writeFile("moving.gltf", R"({"asset": {"version": "2.0"}, "nodes": [{"mesh": 0}],
+    "meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]}],
+    "buffers": [{"byteLength": 68, "uri": "data:application/octet-stream;base64,)" +
+                               bytes.toBase64() + R"("}],
+    "bufferViews": [{"buffer": 0, "byteOffset": 0, "byteLength": 36},
+                    {"buffer": 0, "byteOffset": 36, "byteLength": 8},
+                    {"buffer": 0, "byteOffset": 44, "byteLength": 24}],
+    "accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3"},
+                  {"bufferView": 1, "componentType": 5126, "count": 2, "type": "SCALAR"},
+                  {"bufferView": 2, "componentType": 5126, "count": 2, "type": "VEC3"}],
+    "animations": [{"name": "slide", "samplers": [{"input": 1, "output": 2}],
+                    "channels": [{"sampler": 0, "target": {"node": 0, "path": "translation"}}]}]})");
+  writeFile("m.json", text({.display = R"({"hogels": [40, 40], "directions": [8, 8]})",
+                            .lightField = R"({"layout": "live", "source": "mesh", "fps": 8,
+                                "mesh": {"file": "moving.gltf", "animation": "slide"}})"}));
+}
+
 }  // namespace
 
 class TestFrames : public WindowTest {
@@ -61,6 +87,13 @@ class TestFrames : public WindowTest {
     Session session = m_model->session();
     session.lightField.file = file;
     return rendered(loadViewSource(session, {}).job(m_model->current()));
+  }
+  /// The picture of the current state at a frame of an animation.
+  Image movedAt(int frame) const {
+    const Session& session = m_model->session();
+    const auto file = openLightField(session.lightField, session.display);
+    file->select(frame);
+    return rendered(loadViewSource(session, *file, {}).job(m_model->current()));
   }
   void expectFrame(int frame) const {
     QTRY_VERIFY_WITH_TIMEOUT(equals(view()->image(), imageAt(frame)), patience);
@@ -163,6 +196,26 @@ class TestFrames : public WindowTest {
     expectFrame(bar()->frame());
   }
 
+  /// What is exported is the frame that is shown.
+  void theFrameThatIsShownIsExported() {
+    open("f.json");
+    QTRY_VERIFY_WITH_TIMEOUT(bar()->isVisible(), patience);
+    auto* output = m_window->findChild<LightFieldOutput*>();
+    QSignalSpy done(output, &LightFieldOutput::done);
+    child<QSlider>("frameSlider")->setValue(4);
+    expectFrame(4);
+    output->save(ExportLayout::hogels, "exported.png");
+    QTRY_COMPARE_WITH_TIMEOUT(done.size(), 1, patience);
+    QCOMPARE(done[0][0].toString(), QString("Saved frame 4 as exported.png"));
+    QVERIFY(equals(view()->image(), imageOf("exported.png")));
+    open("s.json");
+    QTRY_VERIFY_WITH_TIMEOUT(!bar()->isVisible(), patience);
+    QTRY_VERIFY_WITH_TIMEOUT(message().contains(" ms"), patience);
+    output->save(ExportLayout::hogels, "still.png");
+    QTRY_COMPARE_WITH_TIMEOUT(done.size(), 2, patience);
+    QCOMPARE(done[1][0].toString(), QString("Saved still.png"));
+  }
+
   /// Both light fields show the same frame.
   void whatIsComparedGoesAlong() {
     writeOthers();
@@ -199,6 +252,36 @@ class TestFrames : public WindowTest {
     expectFrame(3);
     QTRY_VERIFY_WITH_TIMEOUT(equals(view()->otherImage(), otherAt(3)), patience);
     m_window->grab().save(QCoreApplication::applicationDirPath() + "/frames_report.png");
+  }
+
+  /// An edit keeps the frame; at rest there are none.
+  void anAnimationHasFrames() {
+    writeMoving();
+    open("m.json");
+    QTRY_VERIFY_WITH_TIMEOUT(bar()->isVisible(), patience);
+    QVERIFY2(words().startsWith("frame 0 of 0 … 4   "), qPrintable(words()));
+    QTRY_VERIFY_WITH_TIMEOUT(equals(view()->image(), movedAt(0)), patience);
+    key(Qt::Key_Period);
+    key(Qt::Key_Period);
+    key(Qt::Key_Period);
+    QTRY_VERIFY_WITH_TIMEOUT(equals(view()->image(), movedAt(3)), patience);
+    QVERIFY(!(movedAt(3) == movedAt(0)));
+
+    Session content = m_model->session();
+    content.lightField.content.set("position", std::vector<double>{0, 0.03, 0});
+    m_model->setContent(content);
+    QTRY_VERIFY_WITH_TIMEOUT(equals(view()->image(), movedAt(3)), patience);
+    QCOMPARE(bar()->frame(), 3);
+    m_window->grab().save(QCoreApplication::applicationDirPath() + "/frames_animation.png");
+    child<QAction>("playFramesAction")->trigger();
+    QTRY_COMPARE_WITH_TIMEOUT(bar()->frame(), 1, patience);
+    child<QAction>("playFramesAction")->trigger();
+    QTRY_VERIFY_WITH_TIMEOUT(equals(view()->image(), movedAt(bar()->frame())), patience);
+
+    content.lightField.content.set("animation", std::string());
+    m_model->setContent(content);
+    QTRY_VERIFY_WITH_TIMEOUT(!bar()->isVisible(), patience);
+    QTRY_VERIFY_WITH_TIMEOUT(equals(view()->image(), movedAt(0)), patience);
   }
 
   void aFrameThatIsDamagedIsALine() {

@@ -8,8 +8,8 @@ file(REMOVE_RECURSE ${PREFIX})
 run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${PREFIX} --strip)  # as packages are
 set(app io.github.hogelscope.Hogelscope)
 set(missing "")
-foreach(file bin/hogelscope bin/hogelscope-window ${LIBRARIES}/hogelscope/plugins-2/measured-lens/plugin.json
-    ${LIBRARIES}/hogelscope/plugins-2/ms-ssim/ms-ssim.so ${LIBRARIES}/hogelscope/lib/libhogelscope_vtk.so
+foreach(file bin/hogelscope bin/hogelscope-window ${LIBRARIES}/hogelscope/plugins-3/measured-lens/plugin.json
+    ${LIBRARIES}/hogelscope/plugins-3/ms-ssim/ms-ssim.so ${LIBRARIES}/hogelscope/lib/libhogelscope_vtk.so
     ${LIBRARIES}/libhogelscope_core.a ${LIBRARIES}/libhogelscope_codecs.a ${LIBRARIES}/libhogelscope_io.a
     ${LIBRARIES}/cmake/Hogelscope/HogelscopeConfig.cmake include/hogelscope-1/hogelscope/plugin.h
     include/hogelscope-1/hogelscope/core/engine/renderer.h include/hogelscope-1/hogelscope/io/scene/view_source.h
@@ -26,7 +26,7 @@ if(missing)
 endif()
 set(program ${PREFIX}/bin/hogelscope)
 run(${program} --plugins)
-if(NOT out MATCHES "\nms-ssim +[^\n]*tests/prefix/${LIBRARIES}/hogelscope/plugins-2/ms-ssim\n")
+if(NOT out MATCHES "\nms-ssim +[^\n]*tests/prefix/${LIBRARIES}/hogelscope/plugins-3/ms-ssim\n")
   message(FATAL_ERROR "the installed program does not find its plugins:\n${out}")
 endif()
 run(${program} --help man)

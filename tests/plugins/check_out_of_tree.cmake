@@ -27,14 +27,14 @@ foreach(name example stripes)
     -D CMAKE_CXX_COMPILER=${COMPILER} -D CMAKE_BUILD_TYPE=Release
     -D CMAKE_PREFIX_PATH=${PREFIX})
   run(${CMAKE_COMMAND} --build ${WORK}/${name}/build)
-  run(${PROGRAM} --plugins --plugins-path ${WORK}/${name}/build/plugins-2)
-  if(NOT out MATCHES "\n${name} +1\\.0 +content +[^\n]*/${name}/build/plugins-2/${name}\n")
+  run(${PROGRAM} --plugins --plugins-path ${WORK}/${name}/build/plugins-3)
+  if(NOT out MATCHES "\n${name} +1\\.0 +content +[^\n]*/${name}/build/plugins-3/${name}\n")
     message(FATAL_ERROR "the plugin that was built outside is not listed:\n${out}")
   endif()
 endforeach()
 
 run(${PROGRAM} --render --session ${WORK}/stripes.json --output ${WORK}/out
-  --plugins-path ${WORK}/stripes/build/plugins-2)
+  --plugins-path ${WORK}/stripes/build/plugins-3)
 run(${PROGRAM} --info ${WORK}/out/front.png)
 if(NOT out MATCHES "400×400 px")
   message(FATAL_ERROR "the tutorial's picture is not there:\n${out}")

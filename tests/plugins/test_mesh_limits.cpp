@@ -307,7 +307,7 @@ void TestMeshLimits::notes() {
   QCOMPARE(scene.source.notes(),
            (std::vector<std::string>{
                "Its materials' alphaMode, normalTexture are not shown.",
-               "Its animation stays at rest.", "Its 2 skins stay at rest.",
+               "Its animation stays at rest; mesh.animation is a name or a number of one.",
                "Its morph targets are not applied.", "Its points and lines are not shown.",
                "Of its 2 scenes one is shown.", "Its extensions EXT_new are not shown."}));
 

@@ -97,7 +97,7 @@ void TestPluginLibrary::refusedPlugins() {
   install("throws", {{"abi", "1"}, {"name", "\"example\""}});
   QVERIFY(QFile::rename(m_place, path("p/wrong")));
   m_place = path("p/wrong");
-  QCOMPARE(load(), "plugin wrong: " + path("p/wrong/plugin.json: abi: 1, this program needs 2: "
+  QCOMPARE(load(), "plugin wrong: " + path("p/wrong/plugin.json: abi: 1, this program needs 3: "
                                            "build the plugin again with this program's SDK"));
   install("throws", {{"kinds", "[\"content\"]"}});
   QCOMPARE(load(PluginKind::lens), "plugin wrong: has no lens; its plugin.json says what it has");

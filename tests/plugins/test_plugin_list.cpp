@@ -45,14 +45,14 @@ void TestPluginList::foldersInOrder() {
   const std::filesystem::path build = QFileInfo(HOGELSCOPE_PROGRAM).path().toStdString() + "/..";
   QCOMPARE(folders.size(), std::size_t(4));
   QCOMPARE(folders[0], std::filesystem::canonical(path("p").toStdString()));
-  QCOMPARE(folders[1].string(), path("home/.local/lib/hogelscope/plugins-2").toStdString());
-  QVERIFY(folders[2].string().ends_with("/hogelscope/plugins-2"));
-  QCOMPARE(folders[3], std::filesystem::canonical(build) / "plugins-2");
+  QCOMPARE(folders[1].string(), path("home/.local/lib/hogelscope/plugins-3").toStdString());
+  QVERIFY(folders[2].string().ends_with("/hogelscope/plugins-3"));
+  QCOMPARE(folders[3], std::filesystem::canonical(build) / "plugins-3");
   const QString older = path("home/.local/lib/hogelscope/plugins-1");
   writePlugin(older + "/stripes", "library", {{"abi", "1"}, {"name", "\"stripes\""}});
   QCOMPARE(pluginFolders().back().string(), older.toStdString());
   QCOMPARE(foundIn(older + "/stripes").refusal,
-           (older + "/stripes/plugin.json: abi: 1, this program needs 2: build the plugin again "
+           (older + "/stripes/plugin.json: abi: 1, this program needs 3: build the plugin again "
                     "with this program's SDK")
                .toStdString());
   QVERIFY(QDir(older).removeRecursively());
@@ -92,9 +92,9 @@ void TestPluginList::refusals_data() {
                       const QString& line) {
     QTest::newRow(row) << Keys{{key, value}} << line;
   };
-  const QString another = ", this program needs 2: build the plugin again with this program's SDK";
+  const QString another = ", this program needs 3: build the plugin again with this program's SDK";
   add("other abi", "abi", "1", "abi: 1" + another);
-  add("abi as text", "abi", "\"2\"", "abi: \"2\"" + another);
+  add("abi as text", "abi", "\"3\"", "abi: \"3\"" + another);
   add("abi as truth", "abi", "true", "abi: true" + another);
   add("half abi", "abi", "1.5", "abi: 1.5" + another);
   add("no abi", "abi", "", "abi: is missing" + another);
@@ -198,7 +198,7 @@ void TestPluginList::linksAndLoops() {
 }
 
 void TestPluginList::theFirstOfOneName() {
-  const QString own = path("home/.local/lib/hogelscope/plugins-2/wrong");
+  const QString own = path("home/.local/lib/hogelscope/plugins-3/wrong");
   writePlugin(path("p/good"), "library");
   writePlugin(path("p/other"), "library", {{"name", "\"other\""}});
   writePlugin(own, "library");
@@ -221,7 +221,7 @@ void TestPluginList::theTable() {
   QVERIFY(out.contains("\nother - refused " + path("p/other/plugin.json: abi: 1, this program")));
   QVERIFY(out.contains("\nexample 1.0 content "));
   QVERIFY(out.contains("\nlooked in " + path("p") + "\n"));
-  QVERIFY(out.contains("/home/.local/lib/hogelscope/plugins-2 (missing)\n"));
+  QVERIFY(out.contains("/home/.local/lib/hogelscope/plugins-3 (missing)\n"));
   const Outcome missing = run({"--plugins", "--plugins-path", "q"}, m_folder.path());
   QCOMPARE(missing.err,
            QByteArray("hogelscope: q: is not a folder; each plugin is a folder in it\n"));

@@ -83,7 +83,7 @@ class FolderTest(unittest.TestCase):
     def write_plugins(self, *names):
         """The tests' metrics of these names, in a folder for hs.add_plugin_folder()."""
         build = os.path.dirname(os.path.dirname(PROGRAM))
-        with open(os.path.join(build, "plugins-2", "ms-ssim", "plugin.json")) as file:
+        with open(os.path.join(build, "plugins-3", "ms-ssim", "plugin.json")) as file:
             document = json.load(file)
         for name in names:
             os.makedirs(self.path("plugins", name))

@@ -160,6 +160,21 @@ class ParameterLines : public ParameterVisitor {
   std::ostream& m_out;
 };
 
+/// Prints the frames of a light field in time, their rate and how long they last.
+void printFrames(std::ostream& out, const LightFieldParams& params, const LightFieldFile& file) {
+  const auto [first, last, step] = file.frames();
+  const std::size_t count = file.frames().count();
+  if (count == 1) return;
+  out << "frames      " << count << ": " << first << " … " << last
+      << (step > 1 ? ", every " + std::to_string(step) : "");
+  if (const double rate = frameRateOf(params, file); rate > 0)
+    out << "; " << numberText(std::round(rate * 1000) / 1000) << " a second, "
+        << rounded(double(last - first + step) / rate, 2) << " s";
+  else
+    out << "; lightField.fps says how many a second";
+  out << "\n";
+}
+
 void printLive(std::ostream& out, const Session& session) {
   LightFieldParams params = session.lightField;
   out << "layout      live: rays of a scene are traced as views need them\n"
@@ -175,6 +190,7 @@ void printLive(std::ostream& out, const Session& session) {
   if (!corners.empty()) out << "triangles   " << corners.size() / 3 << "\n";
   out << "depths      " << numberText(fourDigits(back)) << " … " << numberText(fourDigits(front))
       << " m\n";
+  printFrames(out, params, file);
   for (const fs::path& name : file.files())
     out << "file        " << printable(name.string()) << "\n";
   for (const std::string& note : file.content().notes())
@@ -267,23 +283,6 @@ void printOrder(std::ostream& out, const OrderedSession& subject, const AssumedO
   out << "\n";
 }
 
-/// Prints the frames of a light field in time, their rate and how long they last.
-void printFrames(std::ostream& out, const Session& session) {
-  if (session.lightField.isLive()) return;
-  const auto file = openLightField(session.lightField, session.display);
-  const auto [first, last, step] = file->frames();
-  const std::size_t count = file->frames().count();
-  if (count == 1) return;
-  out << "frames      " << count << ": " << first << " … " << last
-      << (step > 1 ? ", every " + std::to_string(step) : "");
-  if (const double rate = frameRateOf(session.lightField, *file); rate > 0)
-    out << "; " << numberText(std::round(rate * 1000) / 1000) << " a second, "
-        << rounded(double(last - first + step) / rate, 2) << " s";
-  else
-    out << "; lightField.fps says how many a second";
-  out << "\n";
-}
-
 void printWords(std::ostream& out, bool isDocument, const OrderedSession& subject,
                 const AssumedOrder& assumed) {
   if (isDocument) {
@@ -294,7 +293,9 @@ void printWords(std::ostream& out, bool isDocument, const OrderedSession& subjec
     still.lightField = firstStillOf(still.lightField);
     printers[std::size_t(typeOf(assumed.used.layout).holder)](out, still);
   }
-  if (isWhole(subject.session)) printFrames(out, subject.session);
+  const LightFieldParams& params = subject.session.lightField;
+  if (isWhole(subject.session) && !params.isLive())
+    printFrames(out, params, *openLightField(params, subject.session.display));
   if (!subject.assumed.empty())
     out << "assumed     " << subject.assumed << ": " << nameOf(subject.hogels) << "\n";
   if (assumed.lenslets) printLenslets(out, *assumed.lenslets);

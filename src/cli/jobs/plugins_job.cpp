@@ -56,7 +56,7 @@ Job pluginsJob() {
           .details = "Nothing of them is loaded: a session loads those that it names.",
           .examples =
               "  hogelscope --plugins\n"
-              "  hogelscope --plugins --plugins-path build/plugins-2\n",
+              "  hogelscope --plugins --plugins-path build/plugins-3\n",
           .takes = {"plugins-path"},
           .run = runPlugins};
 }

@@ -46,6 +46,7 @@ struct Field {
   std::span<const std::string_view> choices = {};  ///< names of an enumeration's values, in order
   std::string_view label = {};
   bool counts = true;  ///< false if another field's value makes it meaningless; forms then hide it
+  bool mayBeNumber = false;  ///< of a text: a whole number stands for its digits
 };
 
 class ParameterVisitor {
@@ -86,6 +87,12 @@ class ParameterVisitor {
   }
   void field(const FieldName& name, std::string& value, std::string_view help) {
     text(described(name, help), value);
+  }
+  /// Visits a text that documents may also give as a whole number, such as a part of a file.
+  void nameOrNumber(const FieldName& name, std::string& value, std::string_view help) {
+    Field described = this->described(name, help);
+    described.mayBeNumber = true;
+    text(described, value);
   }
   template <class Enum>
   requires std::is_enum_v<Enum>

@@ -43,6 +43,7 @@ class LiveSource : public LightFieldSource, public LiveScene {
   [[nodiscard]] const LiveScene* scene() const override { return this; }
   [[nodiscard]] plugin::Triangles triangles() const override { return m_content->triangles(); }
   [[nodiscard]] std::array<double, 2> depths() const override;
+  [[nodiscard]] double duration() const override { return m_content->duration(); }
   void trace(const Vec3& eye, std::span<const Vec2> slopes, std::span<Rgb> light) const override;
   void traceRays(std::span<const PanelRay> rays, std::span<Rgb> light) const override;
   void traceDepths(const Vec3& eye, std::span<const Vec2> slopes,

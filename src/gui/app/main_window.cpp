@@ -337,13 +337,21 @@ void MainWindow::connectFrames() {
   m_frames = new FrameStream(this);
   m_frameBar = new FrameBar(m_ui->pictureMenu, m_ui->pictureArea);
   m_ui->pictureLayout->addWidget(m_frameBar);
-  connect(m_loader, &ContentLoader::sourceChanged, this, [this] {
-    if (m_loader->source()) return;
+  const auto close = [this] {
     m_frameBar->clear();
     m_frames->close();
     m_ui->reportPanel->setFrames({}, 0);
+  };
+  connect(m_loader, &ContentLoader::sourceChanged, this, [this, close] {
+    if (!m_loader->source()) close();
   });
-  connect(m_loader, &ContentLoader::loaded, this, [this] { m_frames->open(m_loader->asked()); });
+  connect(m_loader, &ContentLoader::loaded, this, [this, close] {
+    const LiveScene* scene = m_loader->source()->lightField->scene();
+    if (scene == nullptr || scene->duration() > 0)
+      m_frames->open(m_loader->asked());
+    else
+      close();
+  });
   connect(m_frames, &FrameStream::opened, this, [this](const FrameNumbers& frames, double rate) {
     m_frameBar->setFrames(frames, rate);
     m_ui->reportPanel->setFrames(frames, rate);
@@ -352,10 +360,11 @@ void MainWindow::connectFrames() {
   connect(m_frames, &FrameStream::failed, m_messages, &Messages::showError);
   connect(m_frames, &FrameStream::failed, m_frameBar, &FrameBar::stop);
   using Source = std::shared_ptr<const LightFieldSource>;
-  connect(m_frames, &FrameStream::read, this, [this](int, const Source& own, const Source& other) {
-    m_imageCommands->showFrame(own, other);
-    m_loader->showFrame(own);
-  });
+  connect(m_frames, &FrameStream::read, this,
+          [this](int frame, const Source& own, const Source& other) {
+            m_imageCommands->showFrame(own, other);
+            m_loader->showFrame(frame, own);
+          });
   connect(m_imageCommands, &ImageCommands::compared, this,
           [this] { m_frames->openOther(m_imageCommands->otherSession()); });
   connect(m_frames, &FrameStream::otherOpened, m_frameBar, &FrameBar::askAgain);
@@ -366,6 +375,7 @@ void MainWindow::connectFrames() {
   });
   connect(m_loader, &ContentLoader::frameChanged, this, [this] {
     m_imageCommands->setSource(m_loader->source());
+    m_lightFieldOutput->setFrame(m_loader->frame());
     if (!m_frameBar->isPlaying()) m_scene->setSource(m_loader->source());
     render();
   });
@@ -556,6 +566,7 @@ void MainWindow::showScene() {
   m_scene->setSource(source);
   m_imageCommands->setSource(source);
   m_lightFieldOutput->setSize(source ? std::optional(source->lightField->size()) : std::nullopt);
+  m_lightFieldOutput->setFrame(m_loader->frame());
   m_ui->reportPanel->setReference(source);
   forgetMeasurement();
   if (source) showCurrent();

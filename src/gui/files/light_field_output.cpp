@@ -152,12 +152,17 @@ void LightFieldOutput::showState() {
 }
 
 void LightFieldOutput::save(ExportLayout layout, const QString& output, bool isForTwin) {
-  m_task->start([=, this, session = m_model->session()](const Progress& progress) {
+  m_task->start([=, this, session = m_model->session(), frame = m_frame](const Progress& progress) {
     const auto content = contentToExport(session, layout, isForTwin, part(progress, 0, 0.1));
+    const bool isInTime = !content->frames().isStill();
+    const FrameNumbers frames = content->frames();
+    const int written = frame && frames.has(*frame) ? *frame : frames.first;
+    if (isInTime) content->select(written);
     const FilesInUse inUse(filesOf(session, *content));
     checkOutputs({output.toStdString()});
     exportAs(layout, session, *content, output.toStdString(), part(progress, 0.1, 1));
-    return [this, output] { Q_EMIT done(tr("Saved %1").arg(output)); };
+    const QString what = isInTime ? tr("Saved frame %1 as %2").arg(written) : tr("Saved %1");
+    return [this, line = what.arg(output)] { Q_EMIT done(line); };
   });
 }
 

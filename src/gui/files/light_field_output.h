@@ -22,6 +22,8 @@ class LightFieldOutput : public FileOutput {
 
   /// Sets the size of the session's light field, as it was read; none while it is read.
   void setSize(const std::optional<LightFieldSize>& size);
+  /// Sets the frame that is shown of a light field in time, which is the one that is written.
+  void setFrame(std::optional<int> frame) { m_frame = frame; }
   /// Writes the light field as exportAs() does, to a file, or for views to a folder; with
   /// `isForTwin` corrected for the session's unit. done() or failed() follows later.
   void save(ExportLayout layout, const QString& output, bool isForTwin = false);
@@ -36,6 +38,7 @@ class LightFieldOutput : public FileOutput {
   QAction* m_export;
   QAction* m_share;
   std::optional<LightFieldSize> m_size;
+  std::optional<int> m_frame;
 };
 
 }  // namespace hogelscope

@@ -24,6 +24,7 @@ ContentLoader::ContentLoader(SessionModel* model, ViewWorker* worker, QObject* p
 /// The memory is free then.
 void ContentLoader::forget() {
   m_source.reset();
+  m_frame.reset();
   Q_EMIT sourceChanged();
 }
 
@@ -43,15 +44,16 @@ void ContentLoader::load() {
   m_asked = m_model->session();
   m_isReading = m_isAwaited = true;
   if (!isEdit) forget();
-  m_worker->load(m_asked);
+  m_worker->load(m_asked, m_frame);
   if (isEdit)
     m_delay.start();
   else
     sayReading();
 }
 
-void ContentLoader::showFrame(const std::shared_ptr<const LightFieldSource>& frame) {
+void ContentLoader::showFrame(int number, const std::shared_ptr<const LightFieldSource>& frame) {
   if (!isReady()) return;
+  m_frame = number;
   m_source->lightField = frame;
   Q_EMIT frameChanged();
 }

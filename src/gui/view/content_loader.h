@@ -32,8 +32,10 @@ class ContentLoader : public QObject {
   void showTwin(bool isBuilt);
   /// Reads the session's light field.
   void load();
-  /// Shows a frame of it, in place of the one that is shown.
-  void showFrame(const std::shared_ptr<const LightFieldSource>& frame);
+  /// Shows a frame of it by its number, in place of the one that is shown.
+  void showFrame(int number, const std::shared_ptr<const LightFieldSource>& frame);
+  /// Returns the number of the frame that is shown; none: the first one.
+  [[nodiscard]] std::optional<int> frame() const { return m_frame; }
   /// Returns the session whose light field was read last.
   [[nodiscard]] const Session& asked() const { return m_asked; }
   /// Follows an edit of the session's content. Returns whether sourceChanged() was emitted for it.
@@ -67,6 +69,7 @@ class ContentLoader : public QObject {
   ViewWorker* m_worker;
   QTimer m_delay;  ///< until reading a live scene's edit is reported
   std::optional<ViewSource> m_source;
+  std::optional<int> m_frame;  ///< the one that is shown; none: the first one
   Session m_asked;  ///< the session whose light field is being read or was read last
   bool m_showsTwin = true;
   /// The twin that was made last, its parameters and its display.

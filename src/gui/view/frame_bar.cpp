@@ -73,10 +73,12 @@ void FrameBar::addCommands(QMenu* menu) {
 }
 
 void FrameBar::setFrames(const FrameNumbers& frames, double rate) {
+  const double used = rate > 0 ? rate : usualRate;
+  if (isVisibleTo(parentWidget()) && frames == m_frames && used == m_rate) return ask(m_frame);
   stop();
   m_frames = frames;
   m_isRateKnown = rate > 0;
-  m_rate = m_isRateKnown ? rate : usualRate;
+  m_rate = used;
   m_frame = frames.first;
   m_isAwaited = false;
   m_leftOut = m_perSecond = 0;

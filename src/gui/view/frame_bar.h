@@ -26,7 +26,8 @@ class FrameBar : public QWidget {
   /// Adds its commands to `menu`.
   FrameBar(QMenu* menu, QWidget* parent);
 
-  /// Shows the bar for these frames, at the first one; `rate` is 0 if it is not known.
+  /// Shows the bar for these frames, at the first one; `rate` is 0 if it is not known. For the
+  /// frames that it shows already, it asks again for the one at which it is.
   void setFrames(const FrameNumbers& frames, double rate);
   /// Hides the bar.
   void clear();

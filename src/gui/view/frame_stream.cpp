@@ -73,8 +73,7 @@ void FrameStream::serve(LatestWins::Lock& lock) {
   }
 }
 
-FrameStream::Light::Light(const Session& session) {
-  if (session.lightField.isLive()) return;
+FrameStream::Light::Light(const Session& session) : isLive(session.lightField.isLive()) {
   try {
     file = openLightField(session.lightField, session.display);
   } catch (const InputError&) {
@@ -97,12 +96,15 @@ void FrameStream::openOtherNow(const std::optional<Session>& session) {
   if (m_other.file) send([this] { Q_EMIT otherOpened(); });
 }
 
-/// Both together take at most half of the allowed memory, but two frames.
+/// Both together take at most half of the allowed memory, but two frames. Those of an animation are
+/// computed, so that no more are kept.
 void FrameStream::setMostKept() {
   double bytes = 0;
   for (Light* const light : {&m_own, &m_other}) {
     light->kept.clear();
-    if (light->file) bytes += double(LightField::bytes(light->file->size(), light->file->type()));
+    if (!light->file) continue;
+    bytes += light->isLive ? double(allowedMemory())
+                           : double(LightField::bytes(light->file->size(), light->file->type()));
   }
   m_mostKept = bytes > 0 ? std::size_t(std::max(2.0, double(allowedMemory()) / 2 / bytes)) : 1;
 }

@@ -53,6 +53,7 @@ class FrameStream : public QObject {
   struct Light {
     std::unique_ptr<LightFieldFile> file;
     std::map<int, Source> kept;
+    bool isLive = false;
 
     /// Opens a session's light field if it has several frames.
     Light() = default;

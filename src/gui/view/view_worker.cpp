@@ -90,9 +90,9 @@ ViewWorker::ViewWorker(QObject* parent) : QObject(parent) {
                  [this](LatestWins::Lock& lock) { serve(lock); });
 }
 
-void ViewWorker::load(const Session& session) {
+void ViewWorker::load(const Session& session, std::optional<int> frame) {
   m_thread.ask([&] {
-    m_toLoad = session;
+    m_toLoad.emplace(session, frame);
     ++m_asked;
     m_isReadingStopped = false;
     m_toRender.reset();
@@ -132,13 +132,13 @@ bool ViewWorker::staysIdle() {
 }
 
 void ViewWorker::serve(LatestWins::Lock& lock) {
-  const std::optional<Session> session = std::exchange(m_toLoad, std::nullopt);
+  const auto toLoad = std::exchange(m_toLoad, std::nullopt);
   m_number = m_asked;
   const std::optional<ViewRequest> request =
-      session ? std::nullopt : std::exchange(m_toRender, std::nullopt);
+      toLoad ? std::nullopt : std::exchange(m_toRender, std::nullopt);
   lock.unlock();
   try {
-    if (session) loadNow(*session);
+    if (toLoad) loadNow(toLoad->first, toLoad->second);
     if (request) {
       renderNow(*request);
       if (!hasNewer(false)) certifyNow(*request);
@@ -151,17 +151,20 @@ void ViewWorker::serve(LatestWins::Lock& lock) {
   m_filter->SetJob({});  // while it waits it holds no light field
 }
 
-void ViewWorker::loadNow(const Session& session) {
+void ViewWorker::loadNow(const Session& session, std::optional<int> frame) {
   m_lens.reset();  // its result may have been dropped
   Session designed = session;
   designed.twin = {};  // which comes with each request
   ViewSource source;
+  const Progress progress = [this](double done) {
+    if (hasNewer(true)) return false;  // the share belongs to the newer request now
+    m_readShare = done;
+    return true;
+  };
   try {
-    source = loadViewSource(designed, [this](double done) {
-      if (hasNewer(true)) return false;  // the share belongs to the newer request now
-      m_readShare = done;
-      return true;
-    });
+    const auto file = openLightField(designed.lightField, designed.display, progress);
+    if (frame && file->frames().has(*frame)) file->select(*frame);
+    source = loadViewSource(designed, *file, progress);
   } catch (const Cancelled&) {
     send([this] { Q_EMIT readingStopped(); });  // received only if no newer request exists
     return;

@@ -12,6 +12,7 @@
 #include <QObject>
 #include <atomic>
 #include <optional>
+#include <utility>
 
 #include "core/engine/view_pace.h"
 #include "core/lens/lens_certificate.h"
@@ -66,8 +67,8 @@ class ViewWorker : public QObject {
  public:
   explicit ViewWorker(QObject* parent = nullptr);
 
-  /// Reads the session's light field and stops an older reading.
-  void load(const Session& session);
+  /// Reads the session's light field, at one of its frames, and stops an older reading.
+  void load(const Session& session, std::optional<int> frame = {});
   /// Stops reading.
   void stopReading();
   /// Returns the share that has been read, 0 … 1. It is polled, because signals of each step would
@@ -89,7 +90,7 @@ class ViewWorker : public QObject {
   template <class Signal>
   void send(Signal signal);
   void serve(LatestWins::Lock& lock);
-  void loadNow(const Session& session);
+  void loadNow(const Session& session, std::optional<int> frame);
   void renderNow(const ViewRequest& request);
   void renderAt(int scale, double patience, const ViewRequest& request);
   struct Shown;
@@ -101,7 +102,7 @@ class ViewWorker : public QObject {
   [[nodiscard]] bool staysIdle();
 
   // The requests, which m_thread guards.
-  std::optional<Session> m_toLoad;
+  std::optional<std::pair<Session, std::optional<int>>> m_toLoad;  ///< and its frame
   std::optional<ViewRequest> m_toRender;
   bool m_isReadingStopped = false;
 

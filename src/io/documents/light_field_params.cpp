@@ -142,7 +142,7 @@ void describe(ParameterVisitor& v, LightFieldParams& p) {
   v.count(frames || fps != notGiven || isNumbered(p));
   v.field({"fps", "Frame rate"}, fps, {0.01, 1000, 1, true, 1, 120}, "frames/s",
           "Frames of a light field in time that are shown in a second; not given: those of its "
-          "video.");
+          "video, and 30 of a scene's animation.");
   v.count(true);
 }
 

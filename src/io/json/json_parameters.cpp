@@ -227,6 +227,10 @@ void JsonReader::flag(const Field& field, bool& value) {
 void JsonReader::text(const Field& field, std::string& value) {
   const Json* found = section(field.name);
   if (found == nullptr) return;
+  if (field.mayBeNumber && found->is_number_unsigned()) {
+    value = found->dump();
+    return;
+  }
   if (!found->is_string())
     throw InputError(pathOf(field.name), valueText(*found) + " is not a text");
   value = found->get<std::string>();

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cmath>
 #include <optional>
 #include <utility>
 
@@ -99,6 +100,15 @@ class GuardedContent final : public plugin::ContentSource {
     plugin::Triangles triangles = guarded(m_name, [&] { return m_content->triangles(); });
     checkTriangles(m_name, triangles);
     return triangles;
+  }
+  [[nodiscard]] double duration() const override {
+    const double seconds = guarded(m_name, [&] { return m_content->duration(); });
+    if (!(seconds >= 0 && std::isfinite(seconds)))
+      throw pluginError(m_name, "its duration is no number of seconds");
+    return seconds;
+  }
+  void setTime(double seconds) override {
+    guarded(m_name, [&] { m_content->setTime(seconds); });
   }
 
  private:

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <filesystem>
 #include <limits>
@@ -114,6 +115,29 @@ double scaleWithin(const DisplayParams& display, const std::vector<float>& point
   return scale;
 }
 
+/// Returns the points of a mesh, of one that moves at some times of its animation, which is set.
+std::vector<float> movingPoints(LightFieldParams& params, const DisplayParams& display,
+                                const Progress& progress) {
+  const std::string animation = "animation";
+  params.content.set(animation, std::string("0"));
+  std::unique_ptr<LiveFile> file;
+  try {
+    file = std::make_unique<LiveFile>(params, display, progress);
+  } catch (const InputError&) {  // as a rule it has none
+    params.content.set(animation, std::string());
+    file = std::make_unique<LiveFile>(params, display, progress);
+  }
+  std::vector<float> points;
+  constexpr int times = 16;
+  const int last = file->frames().last;
+  for (int k = 0; k <= std::min(times, last); ++k) {
+    if (k > 0) file->select(int(std::int64_t(last) * k / std::min(times, last)));
+    const std::vector<float> moved = file->content().triangles().points;
+    points.insert(points.end(), moved.begin(), moved.end());
+  }
+  return points;
+}
+
 struct Capture {
   std::shared_ptr<const LightFieldSource> lightField;
   PanelParams display;  ///< with its hogels and directions
@@ -216,12 +240,49 @@ LiveFile::LiveFile(const LightFieldParams& params, const DisplayParams& display,
   if (display.hogels[0] <= 0 || display.directions[0] <= 0)
     throw InputError(display.hogels[0] > 0 ? "display.directions" : "display.hogels",
                      "is missing: a scene does not say it");
-  auto content = params.content.make();
+  m_content = opened(progress);
+  m_contents.push_back(m_content);
+  const double seconds = m_content->duration();
+  if (seconds <= 0) return;
+  constexpr double rounding = 1e-6;  // as in FrameNumbers::shownAt()
+  const double rate = frameRateOf(params, *this);
+  const double last = std::floor(seconds * rate + rounding);
+  constexpr double most = 1e6;
+  if (last >= most)
+    throw InputError("lightField.fps", numberText(rate) + " makes more than 1000000 frames of " +
+                                           numberText(seconds) + " seconds");
+  m_frameCount = std::size_t(last) + 1;
+  m_frames = listedFrames(params, {0, int(last), 1});
+  select(m_frames.first);
+}
+
+std::shared_ptr<plugin::ContentSource> LiveFile::opened(const Progress& progress) const {
+  std::shared_ptr<plugin::ContentSource> content = m_params.content.make();
   if (auto* ofSession = dynamic_cast<CaptureContent*>(content.get())) {
     Capture capture = openCapture(ofSession->file(), progress);
     ofSession->take(std::move(capture.lightField), capture.display, std::move(capture.files));
   }
   content->open(panelOf(m_display), {".", std::int32_t(threadCount())}, Listener(progress));
+  return content;
+}
+
+double LiveFile::frameRate() const {
+  constexpr double usual = 30;  // where the session says none
+  return m_content->duration() > 0 ? usual : 0;
+}
+
+void LiveFile::select(int frame) {
+  if (m_frameCount == 1) return;
+  const auto isFree = [this](const std::shared_ptr<plugin::ContentSource>& content) {
+    return content.use_count() == (content == m_content ? 2 : 1);
+  };
+  const auto free = std::ranges::find_if(m_contents, isFree);
+  const bool isThere = free != m_contents.end();
+  // What the thread that used it last has read is read.
+  std::atomic_thread_fence(std::memory_order_acquire);
+  std::shared_ptr<plugin::ContentSource> content = isThere ? *free : opened({});
+  content->setTime(frame / frameRateOf(m_params, *this));
+  if (!isThere) m_contents.push_back(content);
   m_content = std::move(content);
 }
 
@@ -285,7 +346,7 @@ void fitMesh(LightFieldParams& params, DisplayParams& display, const Progress& p
   params.content.set("position", std::vector<double>{0, 0, 0});
   constexpr float measuring = 0x1p-19F;  // near the least scale: large meshes are measured, too
   params.content.set("scale", std::vector<double>{measuring});
-  std::vector<float> points = LiveFile(params, display, progress).content().triangles().points;
+  std::vector<float> points = movingPoints(params, display, progress);
   for (float& value : points) value /= measuring;
   const Box box = boxAround(points);
   const Vec3 extent = box.most - box.least;

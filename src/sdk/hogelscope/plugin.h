@@ -13,9 +13,9 @@
 #include "core/base/parameters.h"
 
 namespace hogelscope::plugin {
-inline namespace v2 {
+inline namespace v3 {
 
-constexpr std::uint32_t abi = 2;
+constexpr std::uint32_t abi = 3;
 
 /// Red, green, blue in sRGB-encoded code values: 0 … 255 is the range of an 8-bit image.
 struct Colour {
@@ -70,8 +70,9 @@ struct Triangles {
   std::vector<std::uint8_t> colours;
 };
 
-/// Content that is computed on request of a view: a 3-D scene. describe() and open() are called by
-/// one thread while no other function runs; all others may be called from several threads at once.
+/// Content that is computed on request of a view: a 3-D scene. describe(), open() and setTime() are
+/// called by one thread while no other function runs; all others may be called from several threads
+/// at once.
 /// A thrown exception (std::exception) is shown to the user as one line, so its what() names the
 /// file or the parameter and the remedy.
 class ContentSource {
@@ -102,6 +103,11 @@ class ContentSource {
   }
   /// Returns the triangles that the 3-D scene draws.
   [[nodiscard]] virtual Triangles triangles() const { return {}; }
+  /// Returns how many seconds its animation lasts, as open() has prepared it; 0 if it does not move.
+  [[nodiscard]] virtual double duration() const { return 0; }
+  /// Shows it at a time, 0 … duration(); open() shows the time 0. A time's content does not depend
+  /// on the times before it.
+  virtual void setTime(double /*seconds*/) {}
 };
 
 /// One axis of a hogel's lens: a continuous, strictly increasing function. All functions except
@@ -180,7 +186,7 @@ struct Entry {
   Metric* (*metric)();
 };
 
-}  // namespace v2
+}  // namespace v3
 }  // namespace hogelscope::plugin
 
 #define HOGELSCOPE_TEXT_OF(x) #x
