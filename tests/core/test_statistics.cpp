@@ -35,6 +35,8 @@ class TestStatistics : public QObject {
 
  private Q_SLOTS:
   void meansAndQuantilesOfHistograms();
+  void testsOfSigns();
+  void twoLevels();
   void ofConstants();
   void ofOneUnit();
   void ofNothing();
@@ -126,6 +128,87 @@ void TestStatistics::twoValues() {
   QCOMPARE(bootstrap(units, mean)[0].high, 1.0);
   QCOMPARE(bootstrap(units, mean, {10000, 0.4, 1})[0].low, 0.5);
   QCOMPARE(bootstrap(units, mean, {10000, 0.4, 1})[0].high, 0.5);
+}
+
+/// SciPy 1.11's binomtest and wilcoxon(method="exact") for Darwin's maize, and all assignments of
+/// signs to numbers some of which are equal.
+void TestStatistics::testsOfSigns() {
+  const std::vector<double> maize{6, 8, 14, 16, 23, 24, 28, 29, 41, -48, 49, 56, 60, -67, 75};
+  QVERIFY(std::abs(signTest(maize) - 0.00738525390625) < 1e-15);
+  QVERIFY(std::abs(signedRankTest(maize) - 0.041259765625) < 1e-15);
+  QVERIFY(std::isnan(signTest({0, std::nan("")})) && std::isnan(signedRankTest({})));
+  QCOMPARE(signTest({3, 0, -4}), 1.0);
+
+  Random random(4);
+  for (int k = 0; k < 30; ++k) {
+    std::vector<double> values;
+    const int count = random.integer(1, 9);
+    for (int n = 0; n < count; ++n)
+      values.push_back((random.integer(0, 1) == 0 ? -1 : 1) * random.integer(1, 6));
+    std::vector<double> sizes;
+    for (const double value : values) sizes.push_back(std::abs(value));
+    const std::vector<double> ranks = ranksOf(sizes);
+    double whole = 0;
+    for (const double rank : ranks) whole += rank;
+    double above = 0, signs = 0;
+    for (std::size_t n = 0; n < ranks.size(); ++n) {
+      above += values[n] > 0 ? ranks[n] : 0;
+      signs += values[n] > 0 ? 1 : 0;
+    }
+    int asFar = 0, asUnequal = 0;
+    for (int chosen = 0; chosen < 1 << count; ++chosen) {
+      double sum = 0, number = 0;
+      for (int n = 0; n < count; ++n)
+        if ((chosen >> n & 1) != 0) {
+          sum += ranks[std::size_t(n)];
+          ++number;
+        }
+      asFar += std::abs(sum - whole / 2) >= std::abs(above - whole / 2) ? 1 : 0;
+      asUnequal += std::abs(number - count / 2.0) >= std::abs(signs - count / 2.0) ? 1 : 0;
+    }
+    QVERIFY(std::abs(signedRankTest(values) - double(asFar) / (1 << count)) < 1e-12);
+    QVERIFY(std::abs(signTest(values) - double(asUnequal) / (1 << count)) < 1e-12);
+  }
+}
+
+/// Two groups of one unit each: their mean is that of 0 and 1 in half of the draws. Groups of many
+/// units: the variance of the mean is that of the groups' means and of the units in them.
+void TestStatistics::twoLevels() {
+  const auto meanOfGroups = [](const std::vector<DrawnGroup>& drawn) {
+    double sum = 0;
+    for (const DrawnGroup& group : drawn) sum += group.sums[0] / group.sums[1];
+    return std::vector<double>{sum / double(drawn.size())};
+  };
+  const auto groupOf = [](std::vector<double> values) {
+    std::vector<std::vector<double>> units;
+    for (const double value : values) units.push_back({value, 1});
+    return units;
+  };
+  const Interval two =
+      nestedBootstrap({groupOf({0}), groupOf({1})}, meanOfGroups, {1000, 0.4, 1})[0];
+  QCOMPARE(two.low, 0.5);
+  QCOMPARE(two.high, 0.5);
+
+  std::vector<std::vector<std::vector<double>>> groups;
+  double ofMeans = 0, within = 0;
+  std::vector<double> means;
+  for (int group = 0; group < 40; ++group) {
+    std::vector<double> values = sample(20, std::uint64_t(group));
+    for (double& value : values) value += 3 * (group % 7);
+    double sum = 0, squares = 0;
+    for (const double value : values) sum += value;
+    for (const double value : values) squares += std::pow(value - sum / 20, 2);
+    means.push_back(sum / 20);
+    within += squares / 20 / 20;  // the variance of a drawn group's mean
+    groups.push_back(groupOf(values));
+  }
+  double middle = 0;
+  for (const double value : means) middle += value / 40;
+  for (const double value : means) ofMeans += std::pow(value - middle, 2);
+  const double deviation = std::sqrt((ofMeans + within) / 40 / 40);
+  const Interval interval = nestedBootstrap(groups, meanOfGroups, {.resamples = 4000})[0];
+  QVERIFY(std::abs((interval.high - interval.low) / (2 * 1.96 * deviation) - 1) < 0.05);
+  QVERIFY(std::abs((interval.high + interval.low) / 2 - middle) < 0.1 * deviation);
 }
 
 /// Against a sorted list.

@@ -91,6 +91,75 @@ std::vector<Interval> bootstrap(const std::vector<std::vector<double>>& units,
   return intervals;
 }
 
+std::vector<Interval> nestedBootstrap(
+    const std::vector<std::vector<std::vector<double>>>& groups,
+    const std::function<std::vector<double>(const std::vector<DrawnGroup>&)>& figures,
+    const BootstrapParams& params) {
+  std::vector<std::vector<double>> drawn;
+  std::mt19937_64 engine(params.seed);
+  for (int sample = 0; sample < params.resamples; ++sample) {
+    std::vector<DrawnGroup> groupsDrawn;
+    for (std::size_t k = 0; k < groups.size(); ++k) {
+      const std::size_t group = below(std::uint32_t(groups.size()), engine);
+      groupsDrawn.push_back({group, drawSums(groups[group], 1, engine).front()});
+    }
+    const std::vector<double> values = figures(groupsDrawn);
+    drawn.resize(values.size());
+    for (std::size_t k = 0; k < values.size(); ++k) drawn[k].push_back(values[k]);
+  }
+  std::vector<Interval> intervals;
+  intervals.reserve(drawn.size());
+  for (std::vector<double>& values : drawn)
+    intervals.push_back(interval(values, params.confidence));
+  return intervals;
+}
+
+namespace {
+
+/// Returns the values that are neither 0 nor NaN.
+std::vector<double> withSign(std::vector<double> differences) {
+  std::erase_if(differences, [](double value) { return std::isnan(value) || value == 0; });
+  return differences;
+}
+
+/// Returns the probability that a sum of weights, each of which counts with the probability 1/2, is
+/// at most `least` or at least their whole sum without it.
+double twoSided(const std::vector<std::size_t>& weights, std::size_t sum) {
+  const std::size_t whole = std::accumulate(weights.begin(), weights.end(), std::size_t{0});
+  std::vector<double> probabilities(whole + 1, 0);
+  probabilities[0] = 1;
+  for (const std::size_t weight : weights)
+    for (std::size_t k = whole + 1; k-- > 0;)
+      probabilities[k] = 0.5 * (probabilities[k] + (k < weight ? 0 : probabilities[k - weight]));
+  double tail = 0;
+  for (std::size_t k = 0; k <= std::min(sum, whole - sum); ++k) tail += probabilities[k];
+  return std::min(1.0, 2 * tail);
+}
+
+}  // namespace
+
+double signTest(const std::vector<double>& differences) {
+  const std::vector<double> values = withSign(differences);
+  if (values.empty()) return unknownFigure;
+  const auto above = std::ranges::count_if(values, [](double value) { return value > 0; });
+  return twoSided(std::vector<std::size_t>(values.size(), 1), std::size_t(above));
+}
+
+double signedRankTest(const std::vector<double>& differences) {
+  const std::vector<double> values = withSign(differences);
+  if (values.empty()) return unknownFigure;
+  std::vector<double> sizes;
+  for (const double value : values) sizes.push_back(std::abs(value));
+  std::vector<std::size_t> doubled;  // ranks that are shared end in ½
+  std::size_t above = 0;
+  const std::vector<double> ranks = ranksOf(sizes);
+  for (std::size_t k = 0; k < ranks.size(); ++k) {
+    doubled.push_back(std::size_t(std::lround(2 * ranks[k])));
+    if (values[k] > 0) above += doubled.back();
+  }
+  return twoSided(doubled, above);
+}
+
 std::vector<double> ranksOf(const std::vector<double>& values) {
   std::vector<std::size_t> order(values.size());
   std::iota(order.begin(), order.end(), std::size_t{0});

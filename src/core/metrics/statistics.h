@@ -43,6 +43,28 @@ using FiguresOfSums = std::function<std::vector<double>(const std::vector<double
 std::vector<Interval> bootstrap(const std::vector<std::vector<double>>& units,
                                 const FiguresOfSums& figures, const BootstrapParams& params = {});
 
+/// A group that was drawn: its number, and the sums over units that were drawn of it.
+struct DrawnGroup {
+  std::size_t group = 0;
+  std::vector<double> sums;
+};
+
+/// Computes the bootstrap of two levels: draws as many groups as there are, with replacement, then
+/// of each as many units as it has, and computes the figures of these groups. For the rest as
+/// bootstrap().
+std::vector<Interval> nestedBootstrap(
+    const std::vector<std::vector<std::vector<double>>>& groups,
+    const std::function<std::vector<double>(const std::vector<DrawnGroup>&)>& figures,
+    const BootstrapParams& params);
+
+/// Returns the two-sided probability of signs as unequal as those of the differences if both signs
+/// are as probable: the sign test. Zeros and NaN do not count; NaN if nothing does.
+double signTest(const std::vector<double>& differences);
+
+/// Returns the two-sided probability of Wilcoxon's signed-rank test, from the exact distribution of
+/// the sum of ranks, which equal values share. Zeros and NaN do not count; NaN if nothing does.
+double signedRankTest(const std::vector<double>& differences);
+
 /// Returns the rank of each value, 1 for the least; equal values share the mean of their ranks.
 /// No value may be NaN.
 std::vector<double> ranksOf(const std::vector<double>& values);
