@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <span>
+#include <sstream>
 #include <string_view>
 #include <utility>
 
@@ -33,7 +34,7 @@ std::string escapedLine(const std::string& text) {
 
 /// Returns the text for LaTeX: special characters escaped, dashes and hyphens in ASCII.
 std::string texText(const std::string& text) {
-  static constexpr std::array<Replacement, 15> commands{{{"\\", "\\textbackslash{}"},
+  static constexpr std::array<Replacement, 16> commands{{{"\\", "\\textbackslash{}"},
                                                          {"{", "\\{"},
                                                          {"}", "\\}"},
                                                          {"&", "\\&"},
@@ -45,6 +46,7 @@ std::string texText(const std::string& text) {
                                                          {"^", "\\textasciicircum{}"},
                                                          {"–", "--"},
                                                          {"\u2011", "-"},
+                                                         {"−", "$-$"},
                                                          {"…", "\\ldots{}"},
                                                          {"<", "\\textless{}"},
                                                          {">", "\\textgreater{}"}}};
@@ -53,7 +55,8 @@ std::string texText(const std::string& text) {
 
 std::string lineOf(const std::vector<std::string>& cells) {
   std::string line;
-  for (const std::string& cell : cells) line += (line.empty() ? "" : " & ") + texText(cell);
+  for (const std::string& cell : cells)
+    line += (line.empty() ? "" : " & ") + texText(withMinus(cell));
   return line + " \\\\\n";
 }
 
@@ -120,10 +123,27 @@ std::string pageOf(const std::string& title, const std::string& body) {
          "<script>" + pageScript + "</script>\n</body></html>\n";
 }
 
+namespace {
+
+/// Returns the height of an `<svg>` over its width, by its viewBox.
+double aspectOf(const std::string& svg) {
+  constexpr std::string_view box = "viewBox=\"0 0 ";
+  double width = 1;
+  double height = 1;
+  if (const std::size_t at = svg.find(box); at != std::string::npos) {
+    std::istringstream numbers(svg.substr(at + box.size(), 40));
+    numbers >> width >> height;
+  }
+  return height / width;
+}
+
+}  // namespace
+
 std::string svgFile(const std::string& svg, double width) {
   constexpr std::string_view tag = "<svg ";
   const std::size_t at = svg.find('>') + 1;
-  return "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + numberText(width) + "mm\" " +
+  return "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + numberText(width) +
+         "mm\" height=\"" + numberText(fourDigits(width * aspectOf(svg))) + "mm\" " +
          svg.substr(tag.size(), at - tag.size()) + "<style>" + plotStyle + "</style>" +
          svg.substr(at);
 }

@@ -63,12 +63,6 @@ std::string svgCurve(const Plot::Series& series, std::size_t number, const PlotA
          "\n";
 }
 
-/// Returns the start of a series' group: its marks are filled, its lines are drawn in its colour.
-std::string groupTag(std::size_t series) {
-  const std::string colour = seriesColour(series);
-  return "<g class=\"points\" fill=\"" + colour + "\" color=\"" + colour + "\">";
-}
-
 constexpr double legendLine = 19;
 
 /// The names of the series, side by side as far as there is room.
@@ -104,7 +98,7 @@ Legend legendOf(const Plot& plot, const PlotBox& box) {
       x = box.left;
       y += legendLine;
     }
-    legend.svg += groupTag(k);
+    legend.svg += svgGroup(k);
     if (plot.hasCurves)
       legend.svg += "<polyline class=\"curve\" points=\"" + coordinate(x) + "," + coordinate(y) +
                     " " + coordinate(x + mark - 6) + "," + coordinate(y) + "\"" + dashAttribute(k) +
@@ -125,6 +119,11 @@ std::string svgStart(std::string_view style, double width, const std::string& he
                      const std::string& label) {
   return "<svg class=\"" + std::string(style) + "\" viewBox=\"0 0 " + numberText(width) + " " +
          height + "\" role=\"img\" aria-label=\"" + escaped(label) + "\">";
+}
+
+std::string svgGroup(std::size_t series) {
+  const std::string colour = seriesColour(series);
+  return "<g class=\"points\" fill=\"" + colour + "\" color=\"" + colour + "\">";
 }
 
 std::string coordinate(double value) {
@@ -283,7 +282,7 @@ std::string svgOf(const Plot& plot, const PlotBox& box, const std::string& style
                               ticksAcross(plot, area.across));
   if (area.hasIdentical) text += svgText(box.left - 6, 28, "end", "identical");
   for (std::size_t k = 0; k < plot.series.size(); ++k) {
-    text += groupTag(k) + "\n";
+    text += svgGroup(k) + "\n";
     if (plot.hasCurves) text += svgCurve(plot.series[k], k, area);
     for (const Plot::Point& point : plot.series[k].points) {
       const auto [x, y] = area.placeOf(point, k);

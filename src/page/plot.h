@@ -93,6 +93,9 @@ std::string svgOf(const Plot& plot, const PlotBox& box, const std::string& style
 /// not see it.
 std::string svgStart(std::string_view style, double width, const std::string& height,
                      const std::string& label);
+/// Returns the start of a series' group: its marks are filled, and its lines of the classes "curve"
+/// and "interval" are drawn, in its colour.
+std::string svgGroup(std::size_t series);
 /// Formats a coordinate with two digits after the point.
 std::string coordinate(double value);
 /// Returns a text element; `anchor` is start, middle or end.

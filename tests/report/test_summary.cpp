@@ -283,7 +283,7 @@ void TestSummaries::bdRates() {
   QVERIFY(page.find("<td>B</td><td>A</td><td>mean PSNR\u2011Y in dB</td>"
                     "<td class=\"n\">-50.00 (-50.00 … -50.00)</td>") != std::string::npos);
   QVERIFY(bdTex(comparisons, metrics)
-              .find("B & A & mean PSNR-Y in dB & -50.00 (-50.00 \\ldots{} -50.00) & ") !=
+              .find("B & A & mean PSNR-Y in dB & $-$50.00 ($-$50.00 \\ldots{} $-$50.00) & ") !=
           std::string::npos);
   const std::string means = meansTable(summariesOf(rows, groups), metrics);
   QVERIFY(means.find("<td>b1</td><td class=\"n\">0.1000</td>") != std::string::npos);
@@ -401,7 +401,7 @@ void TestSummaries::latex() {
       QString("<details><summary>As LaTeX</summary><pre>\\begin{tabular}{lrl}\n\\hline\n"
               "test &amp; a\\_b &amp; note \\\\\n\\hline\n"
               "x\\textbackslash{}y\\{z\\}\\&amp;\\%\\$\\#\\textasciicircum{}\\textasciitilde{}.png"
-              " &amp; -1.5 &amp; -- \\\\\n\\textless{}q\\textgreater{} &amp; -- &amp; w \\\\\n"
+              " &amp; $-$1.5 &amp; -- \\\\\n\\textless{}q\\textgreater{} &amp; -- &amp; w \\\\\n"
               "\\hline\n\\end{tabular}\n</pre></details>\n"));
 }
 

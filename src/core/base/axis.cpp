@@ -14,13 +14,6 @@ double decadeOf(double value) {
   return std::pow(10, std::floor(std::log10(value)));
 }
 
-/// Returns a number with a minus sign, which is as wide as a plus; a hyphen is not.
-std::string withMinus(std::string number) {
-  for (std::size_t at = 0; (at = number.find('-', at)) != std::string::npos;)
-    number.replace(at, 1, "−");
-  return number;
-}
-
 std::string textOf(double value, int decade) {
   return std::abs(decade) > 5 ? withMinus(numberText(value)) : rounded(value, std::max(0, -decade));
 }

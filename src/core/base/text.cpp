@@ -152,6 +152,20 @@ std::string rounded(double value, int digits) {
   return number;
 }
 
+std::string withMinus(const std::string& text) {
+  const auto isDigit = [](char c) { return c >= '0' && c <= '9'; };
+  std::string result;
+  for (std::size_t k = 0; k < text.size(); ++k) {
+    const bool begins = k == 0 || text[k - 1] == ' ' || text[k - 1] == '(' ||
+                        (text[k - 1] == 'e' && k > 1 && isDigit(text[k - 2]));
+    if (text[k] == '-' && begins && k + 1 < text.size() && isDigit(text[k + 1]))
+      result += "−";
+    else
+      result += text[k];
+  }
+  return result;
+}
+
 std::string bytesText(std::size_t bytes) {
   if (bytes < 1000) return std::to_string(bytes) + " bytes";
   const auto tenths = [bytes](double unit) { return std::round(10 * double(bytes) / unit) / 10; };

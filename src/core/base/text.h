@@ -19,6 +19,9 @@ std::optional<double> numberOf(std::string_view text);
 double fourDigits(double value);
 /// Formats with `digits` after the point; "identical" if infinite, a dash if NaN.
 std::string rounded(double value, int digits);
+/// Returns a text with a minus sign, U+2212, which is as wide as a plus, for each hyphen before a
+/// number or in its exponent.
+std::string withMinus(const std::string& text);
 /// Formats a size, such as "512 bytes", "12.3 kB", "19.7 MB", "2.7 GB".
 std::string bytesText(std::size_t bytes);
 
