@@ -103,7 +103,8 @@ class ContentSource {
   }
   /// Returns the triangles that the 3-D scene draws.
   [[nodiscard]] virtual Triangles triangles() const { return {}; }
-  /// Returns how many seconds its animation lasts, as open() has prepared it; 0 if it does not move.
+  /// Returns how many seconds its animation lasts, as open() has prepared it; 0 if it does not
+  /// move.
   [[nodiscard]] virtual double duration() const { return 0; }
   /// Shows it at a time, 0 … duration(); open() shows the time 0. A time's content does not depend
   /// on the times before it.
