@@ -26,6 +26,7 @@ std::vector<Flag> sharedFlags() {
       {.name = "session",
        .value = "FILE",
        .heading = "What is read",
+       .unless = {"campaign"},
        .isInput = true,
        .help = "The session document: display, light field and camera states. A folder of views, "
                "a picture or a mesh makes one around it."},

@@ -24,7 +24,7 @@ struct Flag {
   /// The option that a job's own one follows in --help; if it is not given, the one before it in
   /// the job's list.
   std::string_view after = {};
-  std::string_view unless = {};                ///< an option that replaces a missing one
+  std::vector<std::string_view> unless = {};   ///< options that replace a missing one
   bool isInput = false;                        ///< its value is a file that the job reads
   bool mayRepeat = false;                      ///< with different values
   bool isForWindow = false;                    ///< the window takes it too

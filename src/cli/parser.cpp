@@ -115,7 +115,10 @@ void refuseForeign(const Flag& flag, const Job* job) {
 
 void refuseMissing(const Flag& flag, const CommandLine& line) {
   if (!needs(line.job, flag) || line.has(flag.name)) return;
-  if (!flag.unless.empty() && line.has(flag.unless)) return;
+  const auto isGiven = [&line](std::string_view option) {
+    return line.mayHave(option) && line.has(option);
+  };
+  if (std::ranges::any_of(flag.unless, isGiven)) return;
   const std::string job = dashed(line.job->name);
   throw InputError(dashed(flag.name), "is missing; " + job + " needs " + dashed(flag.name) + " " +
                                           std::string(flag.value) + ", see --help " +

@@ -19,6 +19,7 @@ void addViews(pybind11::module_& module);
 void addFigures(pybind11::module_& module);
 void addMeasures(pybind11::module_& module);
 void addReports(pybind11::module_& module);
+void addCampaigns(pybind11::module_& module);
 void addPages(pybind11::module_& module);
 
 /// A session held by Python: its text, the base of its relative paths, and its name in messages (""

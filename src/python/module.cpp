@@ -27,6 +27,7 @@ PYBIND11_MODULE(_hogelscope, module) {
   addFigures(module);
   addMeasures(module);
   addReports(module);
+  addCampaigns(module);
   addPages(module);
   module.attr("LightField").attr("__module__") = "hogelscope";
 }

@@ -92,6 +92,9 @@ void writeInputs() {
                               R"("file": "a.png")", R"("twin": "maps.json", )"));
   writeFile("plain.json", session(hogels, R"("file": "a.png")"));
   writeFile("test.json", session(hogels, R"("file": "b.png")"));
+  writeFile("campaign.json", R"({"scenes": {"one": "plain.json"}, "rates": "rates.csv",
+                                 "tests": [{"name": "b", "file": "test.json"}]})");
+  writeFile("rates.csv", "scene,test,bits\none,b,0.5\n");
   writeFile("views.json", session(R"("size": [0.2, 0.2])", R"("file": "v", "layout": "views")"));
   writeFile("mesh.json", session(hogels, R"("layout": "live", "source": "mesh",
       "viewingDistance": 0.6, "mesh": {"file": "room.gltf"})"));
@@ -139,6 +142,10 @@ std::vector<Case> cases() {
                    "--images", "--calibration", "camera.json"} +
            kept,
        ofSession + QStringList{"camera.json", "test.json", "b.png"}},
+      {"campaign",
+       "report",
+       {"--report", "--campaign", "campaign.json", "--output", "out"},
+       {"campaign.json", "rates.csv", "plain.json", "a.png", "test.json", "b.png"}},
       {"report of units",
        "report",
        {"--report", "--against", "design", "--session", "plain.json", "--twin", "unit.json",
@@ -332,8 +339,8 @@ void TestInputsKept::inputsAreInTheKey() {
   QFETCH(int, index);
   const Case one = cases()[std::size_t(index)];
   // A line's end more does not change what these say, and what they say is in the key.
-  QStringList documents{"s.json",     "plain.json",  "test.json",
-                        "sheet.json", "camera.json", "table.json"};
+  QStringList documents{"s.json",      "plain.json", "test.json",     "sheet.json",
+                        "camera.json", "table.json", "campaign.json", "rates.csv"};
   if (one.job == "measure")
     documents << "a.png"
               << "quilt_qs2x1a1.png";

@@ -11,6 +11,7 @@
 #include "cli/explain.h"
 #include "cli/inputs.h"
 #include "cli/jobs.h"
+#include "cli/jobs/campaign_run.h"
 #include "cli/terminal.h"
 #include "core/base/error.h"
 #include "core/base/parameters.h"
@@ -282,9 +283,24 @@ void printResults(const Report& report, const ReportRequest& request) {
 }
 
 int runReport(const CommandLine& line) {
+  if (line.has("campaign")) return runCampaign(line);
+  if (line.has("dry-run"))
+    throw InputError("command line", "--dry-run", "is for --campaign, which is missing");
+  OpenReport open = openReport(line);
+  return makeReport(open);
+}
+
+}  // namespace
+
+OpenReport openReport(const CommandLine& line) {
+  OpenReport open{line, loadSelected(line), {}};
+  open.request = requestOf(line, open.session);
+  return open;
+}
+
+int makeReport(OpenReport& open) {
+  auto& [line, session, request] = open;
   const bool isQuiet = line.has("quiet");
-  const Session session = loadSelected(line);
-  ReportRequest request = requestOf(line, session);
   const FilesInUse inUse(inputsOf(request));
   checkResults(line, session, filesOf(request));
   orderTests(request, {});
@@ -300,8 +316,6 @@ int runReport(const CommandLine& line) {
   if (!isQuiet) printResults(report, request);
   return checkGate(report.rows, line.number("fail-below"));
 }
-
-}  // namespace
 
 Job reportJob() {
   return {
@@ -322,7 +336,8 @@ Job reportJob() {
           "  hogelscope --report --session s.json --test a1.jpg … --test b4.jp2 --output report "
           "\\\n"
           "             --group JPEG=a1.jpg,a2.jpg,a3.jpg,a4.jpg \\\n"
-          "             --group JPEG2000=b1.jp2,b2.jp2,b3.jp2,b4.jp2\n",
+          "             --group JPEG2000=b1.jp2,b2.jp2,b3.jp2,b4.jp2\n"
+          "  hogelscope --report --campaign scenes.json --output campaign\n",
       .needs = {"session", "output", "test"},
       .takes = {"set", "states", "calibration", "twin", "plugins-path", "save-session", "shard",
                 "frames", "explain", "memory", "threads", "quiet"},
@@ -338,7 +353,7 @@ Job reportJob() {
             .value = "LF",
             .heading = "Comparing light fields",
             .after = "explain",
-            .unless = "against",
+            .unless = {"against", "campaign"},
             .isInput = true,
             .mayRepeat = true,
             .help =
@@ -351,6 +366,19 @@ Job reportJob() {
                 "ideal: the reference is the ideal view of the session's live scene, what the eye "
                 "would see of it without the display; the display is then the first test. design: "
                 "the reference is the display as designed, and each --twin is a test."},
+           {.name = "campaign",
+            .value = "FILE",
+            .heading = "Several scenes",
+            .after = "fail-below",
+            .isInput = true,
+            .help = "A document of scenes, each with a session, and of tests that all of them "
+                    "have, in place of --session, --test, --group and --rate: a report for each "
+                    "scene in DIR/SCENE, and campaign.csv, summary.csv, bd.csv and campaign.html "
+                    "over the scenes."},
+           {.name = "dry-run",
+            .after = "campaign",
+            .help = "Only says which tests of a --campaign are there or missing, how many views "
+                    "there are, and how long they take."},
            {.name = "fail-below",
             .value = "DB",
             .range = NumberRange{},

@@ -6,6 +6,7 @@
 #include <map>
 #include <set>
 
+#include "campaign/campaign_journal.h"
 #include "cli/jobs.h"
 #include "core/base/error.h"
 #include "core/base/text.h"
@@ -107,12 +108,32 @@ void print(const Run& run) {
       std::cout << "whole run    " << (journal->isInUse ? "at work" : "stopped") << "\n";
 }
 
+/// The folders of a campaign's scenes that are finished or begun, in the order of their names.
+int printCampaign(const fs::path& folder) {
+  const CampaignJournal finished(folder);
+  std::vector<fs::path> scenes;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder))
+    if (isFolder(entry.path())) scenes.push_back(entry.path());
+  std::ranges::sort(scenes);
+  for (const fs::path& scene : scenes) {
+    const std::string name = scene.filename().string();
+    const std::vector<FoundJournal> journals = findJournals(scene);
+    if (finished.scenes().contains(name) || !journals.empty()) std::cout << printable(name) << ": ";
+    if (finished.scenes().contains(name)) std::cout << "finished\n";
+    if (!finished.scenes().contains(name))
+      for (const Run& run : runsOf(journals)) print(run);
+  }
+  std::cout << "the campaign is not finished\n";
+  return 1;
+}
+
 int runStatus(const CommandLine& line) {
   const fs::path folder = line.subject;
   if (!isFolder(folder)) throw InputError(line.subject, "is not a folder");
+  if (fs::is_regular_file(CampaignJournal::fileIn(folder))) return printCampaign(folder);
   const std::vector<FoundJournal> journals = findJournals(folder);
   if (journals.empty()) {
-    for (const char* const table : {"report", "measure", "sweep"})
+    for (const char* const table : {"campaign", "report", "measure", "sweep"})
       if (const fs::path file = folder / (std::string(table) + ".csv"); fs::is_regular_file(file)) {
         std::cout << "the " << table << " is finished: " << printable(file.string()) << "\n";
         return 0;
@@ -129,7 +150,8 @@ Job statusJob() {
   return {.name = "status",
           .value = "DIR",
           .help =
-              "Says how far the report, measures or sweep in a folder is, and which shards. Exit "
+              "Says how far the report, campaign, measures or sweep in a folder is, and which "
+              "shards. Exit "
               "status 0 if it is finished, 1 if not.",
           .examples = "  hogelscope --status report\n",
           .run = runStatus};

@@ -29,6 +29,7 @@ import glob as _glob
 import os as _os
 
 from . import _hogelscope
+from ._campaign import Campaign, campaign
 from ._content import info, open
 from ._figures import bd_rate, compare
 from ._hogelscope import InputError, LightField, add_plugin_folder, allow_memory
@@ -39,6 +40,7 @@ from ._view import View
 
 __version__: str = _hogelscope.version
 __all__ = [
+    "Campaign",
     "InputError",
     "LightField",
     "Page",
@@ -49,6 +51,7 @@ __all__ = [
     "allow_memory",
     "bd_rate",
     "cameras",
+    "campaign",
     "compare",
     "depth",
     "info",

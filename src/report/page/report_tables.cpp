@@ -22,14 +22,6 @@ std::string withInterval(double value, const Interval& interval, int digits) {
               rounded(interval.high, digits) + ")</small>");
 }
 
-/// Returns a text such as "31.20 dB (30.95 … 31.44)"; without an interval that is not known.
-std::string withRange(double value, const Interval& interval, int digits, const std::string& unit) {
-  std::string text = rounded(value, digits) + unit;
-  if (!std::isnan(interval.low))
-    text += " (" + rounded(interval.low, digits) + " … " + rounded(interval.high, digits) + ")";
-  return text;
-}
-
 /// Returns a title such as "mean PSNR in dB".
 std::string titleOf(const MetricMean& mean) {
   return mean.title + (mean.unit.empty() ? "" : " in " + mean.unit);
@@ -173,6 +165,13 @@ std::vector<BdRow> headlinesOf(const std::vector<BdRow>& rows, const MetricSet& 
 }
 
 }  // namespace
+
+std::string withRange(double value, const Interval& interval, int digits, const std::string& unit) {
+  std::string text = rounded(value, digits) + unit;
+  if (!std::isnan(interval.low))
+    text += " (" + rounded(interval.low, digits) + " … " + rounded(interval.high, digits) + ")";
+  return text;
+}
 
 std::string bdText(const std::vector<BdRow>& rows, const MetricSet& metrics) {
   std::string text;

@@ -16,6 +16,9 @@ struct ReportLens {
   LensCertificate certificate;
 };
 
+/// Returns a text such as "31.20 dB (30.95 … 31.44)"; without an interval that is not known.
+std::string withRange(double value, const Interval& interval, int digits, const std::string& unit);
+
 /// Returns the summary, one line each.
 std::string summaryText(const ReportSummary& summary, const std::vector<ReportRow>& rows);
 
