@@ -84,8 +84,10 @@ std::vector<std::string> valuesOf(const Json& list, const std::string& path) {
 }
 
 void replaceAll(std::string& text, std::string_view word, const std::string& by) {
-  for (std::size_t at = text.find(word); at != std::string::npos; at = text.find(word, at))
-    text.replace(at, word.size(), by), at += by.size();
+  for (std::size_t at = text.find(word); at != std::string::npos; at = text.find(word, at)) {
+    text.replace(at, word.size(), by);
+    at += by.size();
+  }
 }
 
 /// Throws for a word in braces that nothing stands for.

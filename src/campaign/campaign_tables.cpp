@@ -158,7 +158,7 @@ bool hasFrames(const fs::path& folder) {
 
 }  // namespace
 
-MetricSet metricsOf(const Campaign& campaign, const fs::path& output) {
+MetricSet campaignMetrics(const Campaign& campaign, const fs::path& output) {
   const auto namesOf = [&](const CampaignScene& scene) {
     return campaign.metrics.empty() ? loadSession(scene.session).metrics : campaign.metrics;
   };
@@ -193,7 +193,7 @@ std::vector<fs::path> campaignFiles(const fs::path& output) {
 
 CampaignResult writeCampaign(const Campaign& campaign, const fs::path& output) {
   CampaignResult result;
-  result.metrics = metricsOf(campaign, output);
+  result.metrics = campaignMetrics(campaign, output);
   for (const CampaignTest& test : campaign.tests)
     if (!test.group.empty() && std::ranges::find(result.groups, test.group) == result.groups.end())
       result.groups.push_back(test.group);

@@ -22,7 +22,7 @@ struct CampaignResult {
 
 /// Returns the metrics of all scenes. Throws InputError if they have different ones, or only some
 /// have frames.
-MetricSet metricsOf(const Campaign& campaign, const std::filesystem::path& output);
+MetricSet campaignMetrics(const Campaign& campaign, const std::filesystem::path& output);
 
 /// Returns the files that writeCampaign() writes.
 std::vector<std::filesystem::path> campaignFiles(const std::filesystem::path& output);

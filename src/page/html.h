@@ -26,7 +26,8 @@ std::string latexPart(const std::string& tex);
 /// Returns a complete page of this title (not escaped yet) and body, with style, script and policy.
 std::string pageOf(const std::string& title, const std::string& body);
 
-/// Returns an SVG element as a file of its own, with the style of plots, `width` millimetres wide and as high as its viewBox asks.
+/// Returns an SVG element as a file of its own, with the style of plots, `width` millimetres wide
+/// and as high as its viewBox asks.
 std::string svgFile(const std::string& svg, double width);
 
 /// CSS of plots; it is a part of the next one.

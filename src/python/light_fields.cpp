@@ -63,15 +63,24 @@ std::shared_ptr<const void> ownerOf(const py::object& object) {
           }};
 }
 
-/// Returns what numpy makes of lists and of objects that are arrays to it, such as xarray's.
+/// Whether something has parts that follow each other, such as a generator's frames.
+bool isSequence(const py::object& value) {
+  return py::hasattr(value, "__iter__") && !py::isinstance<py::str>(value) &&
+         !py::isinstance<py::bytes>(value) && !py::isinstance<py::dict>(value) &&
+         !py::isinstance<py::set>(value);
+}
+
+/// Returns what numpy makes of lists and other sequences, and of objects that are arrays to it,
+/// such as xarray's.
 py::array arrayOf(const py::object& value) {
   if (py::isinstance<py::array>(value)) return value;
-  if (!py::isinstance<py::list>(value) && !py::isinstance<py::tuple>(value) &&
-      !py::hasattr(value, "__array__"))
+  const bool isArray = py::hasattr(value, "__array__");
+  if (!isArray && !isSequence(value))
     throw py::type_error("a light field is made of a numpy array, not of " +
                          py::type::of(value).attr("__name__").cast<std::string>());
   try {
-    return py::module_::import("numpy").attr("asarray")(value);
+    const py::object list = isArray ? value : py::object(py::list(value));
+    return py::module_::import("numpy").attr("asarray")(list);
   } catch (py::error_already_set& error) {
     if (!error.matches(PyExc_ValueError)) throw;
     throw InputError("array", "shape", std::string("is that of no array; ") + wantedShape);
@@ -203,7 +212,8 @@ void addLightFields(py::module_& module) {
       "the top, du columns from the left, each view ny by nx pixels of R, G, B. dtype uint8,\n"
       "uint16 (65535 is white) or float32 (1.0 is white). View [v, u], pixel [y, x] is the light\n"
       "that hogel (x, y) sends into direction (u, v). Any strides will do, numpy.memmap too.\n"
-      "(T, dv, du, ny, nx, 3) is a light field in time, of T frames. Arrays above 100 MB, and\n"
+      "(T, dv, du, ny, nx, 3) is a light field in time, of T frames, and so are frames one after\n"
+      "another of a list or a generator, which are copied. Arrays above 100 MB, and\n"
       "those with frames, are not copied; do not change them while the LightField is used.\n"
       "Lists, and what numpy.asarray makes an array of, will do, too.\n\n"
       "hogelscope.open() opens files. Raises InputError.")

@@ -92,7 +92,7 @@ class SampledErrors {
   std::vector<Question> m_questions;
   double m_allPixels;
   std::uint64_t m_seed;
-  const ParallelRows& m_rows;
+  ParallelRows m_rows;
   Progress m_progress;
   LensTables m_tables;
   std::vector<View> m_views;

@@ -426,6 +426,12 @@ class Package(Frames):
         self.assertSame(own.array(frame=4), light[4])
         array = hs.LightField(light[::-1][::-1])
         self.assertEqual((array.frames, array.fps, array.shape), (range(6), None, light.shape))
+        for frames in ((frame for frame in light), map(np.copy, light), list(light)):
+            np.testing.assert_array_equal(hs.LightField(frames).array(), light)
+        for wrong in ("text", b"bytes", {1: 2}, {1, 2}, 5, None):
+            self.assertRaises(TypeError, hs.LightField, wrong)
+        self.assertRaises(ZeroDivisionError, hs.LightField, (light[0] / 0 // 0 if k else 1 // k
+                                                             for k in range(1)))
         self.assertSame(array.array(), light)
         for content in (None, own, array, light, self.path("scene.{T}.png")):
             for frame in (3, 0, 5):

@@ -47,7 +47,8 @@ class LiveScene {
   /// Returns the depths of what is traced of the content, the back one first.
   [[nodiscard]] virtual std::array<double, 2> depths() const = 0;
 
-  /// Returns how many seconds its animation lasts, of which this is a moment; 0 if it does not move.
+  /// Returns how many seconds its animation lasts, of which this is a moment; 0 if it does not
+  /// move.
   [[nodiscard]] virtual double duration() const = 0;
 };
 

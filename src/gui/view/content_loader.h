@@ -70,7 +70,7 @@ class ContentLoader : public QObject {
   QTimer m_delay;  ///< until reading a live scene's edit is reported
   std::optional<ViewSource> m_source;
   std::optional<int> m_frame;  ///< the one that is shown; none: the first one
-  Session m_asked;  ///< the session whose light field is being read or was read last
+  Session m_asked;             ///< the session whose light field is being read or was read last
   bool m_showsTwin = true;
   /// The twin that was made last, its parameters and its display.
   std::shared_ptr<const Twin> m_twin;
