@@ -155,7 +155,7 @@ void TestStatistics::testsOfSigns() {
       above += values[n] > 0 ? ranks[n] : 0;
       signs += values[n] > 0 ? 1 : 0;
     }
-    int asFar = 0, asUnequal = 0;
+    int extremes = 0, asUnequal = 0;
     for (int chosen = 0; chosen < 1 << count; ++chosen) {
       double sum = 0, number = 0;
       for (int n = 0; n < count; ++n)
@@ -163,10 +163,10 @@ void TestStatistics::testsOfSigns() {
           sum += ranks[std::size_t(n)];
           ++number;
         }
-      asFar += std::abs(sum - whole / 2) >= std::abs(above - whole / 2) ? 1 : 0;
+      extremes += std::abs(sum - whole / 2) >= std::abs(above - whole / 2) ? 1 : 0;
       asUnequal += std::abs(number - count / 2.0) >= std::abs(signs - count / 2.0) ? 1 : 0;
     }
-    QVERIFY(std::abs(signedRankTest(values) - double(asFar) / (1 << count)) < 1e-12);
+    QVERIFY(std::abs(signedRankTest(values) - double(extremes) / (1 << count)) < 1e-12);
     QVERIFY(std::abs(signTest(values) - double(asUnequal) / (1 << count)) < 1e-12);
   }
 }
