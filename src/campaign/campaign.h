@@ -51,7 +51,7 @@ struct SceneTest {
   std::string file;
 };
 
-/// What a scene's report compares. `campaign` must live as long.
+/// The work for a scene: what its report compares. The campaign must live as long.
 struct SceneWork {
   std::string session;
   std::string states;

@@ -11,7 +11,7 @@
 
 namespace hogelscope {
 
-/// What a campaign has found.
+/// The findings of a campaign.
 struct CampaignResult {
   MetricSet metrics;
   std::vector<std::string> scenes;  ///< that have a report, in the campaign's order

@@ -63,6 +63,19 @@ Interval interval(std::vector<double>& values, double confidence) {
   return {quantile(values, (1 - confidence) / 2), quantile(values, (1 + confidence) / 2)};
 }
 
+/// Adds the figures of a draw to those of the others, figure by figure.
+void addTo(std::vector<std::vector<double>>& drawn, const std::vector<double>& figures) {
+  drawn.resize(figures.size());
+  for (std::size_t k = 0; k < figures.size(); ++k) drawn[k].push_back(figures[k]);
+}
+
+std::vector<Interval> intervalsOf(std::vector<std::vector<double>>& drawn, double confidence) {
+  std::vector<Interval> intervals;
+  intervals.reserve(drawn.size());
+  for (std::vector<double>& values : drawn) intervals.push_back(interval(values, confidence));
+  return intervals;
+}
+
 }  // namespace
 
 int resamplesFor(std::size_t units) {
@@ -79,16 +92,10 @@ std::vector<Interval> bootstrap(const std::vector<std::vector<double>>& units,
     const std::size_t samples = std::min(left, mostAtOnce);
     left -= samples;
     for (const std::vector<double>& sums : drawSums(units, samples, engine)) {
-      const std::vector<double> values = figures(sums);
-      drawn.resize(values.size());
-      for (std::size_t k = 0; k < values.size(); ++k) drawn[k].push_back(values[k]);
+      addTo(drawn, figures(sums));
     }
   }
-  std::vector<Interval> intervals;
-  intervals.reserve(drawn.size());
-  for (std::vector<double>& values : drawn)
-    intervals.push_back(interval(values, params.confidence));
-  return intervals;
+  return intervalsOf(drawn, params.confidence);
 }
 
 std::vector<Interval> nestedBootstrap(
@@ -103,15 +110,9 @@ std::vector<Interval> nestedBootstrap(
       const std::size_t group = below(std::uint32_t(groups.size()), engine);
       groupsDrawn.push_back({group, drawSums(groups[group], 1, engine).front()});
     }
-    const std::vector<double> values = figures(groupsDrawn);
-    drawn.resize(values.size());
-    for (std::size_t k = 0; k < values.size(); ++k) drawn[k].push_back(values[k]);
+    addTo(drawn, figures(groupsDrawn));
   }
-  std::vector<Interval> intervals;
-  intervals.reserve(drawn.size());
-  for (std::vector<double>& values : drawn)
-    intervals.push_back(interval(values, params.confidence));
-  return intervals;
+  return intervalsOf(drawn, params.confidence);
 }
 
 namespace {
