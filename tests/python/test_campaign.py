@@ -396,8 +396,9 @@ class Runs(CampaignTest):
         self.assertIn("tests[0].p: is not in the file", line(test(p=[1])))
         self.assertIn('two have the name "x"', line(test(name="x")))
         self.assertIn("did you mean", line(self.document(metrcs=[])))
-        self.assertIn("no such file", line(self.document(scenes={"a": "none.json"})).lower() +
-                      "no such file")
+        without = {"scenes": {"shop": "none.json"}, "tests": self.document()["tests"]}
+        self.assertIn(self.path("none.json") + ": cannot be read", line(without))
+        self.assertIn("scenes.a: is neither a session's file", line(self.document(scenes={"a": 5})))
         with open(self.path("rates.csv"), "w", encoding="utf-8") as file:
             file.write("shop,A q1,zero\nshop,D,1\n")
         self.assertIn('line 2: "D" is no test of the campaign', line(self.document()))
