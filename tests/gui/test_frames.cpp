@@ -285,9 +285,9 @@ class TestFrames : public WindowTest {
   }
 
   void aFrameThatIsDamagedIsALine() {
+    writeFile("scene.3.png", "no picture");  // before it may be read ahead
     open("f.json");
     QTRY_VERIFY_WITH_TIMEOUT(bar()->isVisible(), patience);
-    writeFile("scene.3.png", "no picture");
     child<QSlider>("frameSlider")->setValue(3);
     QTRY_VERIFY_WITH_TIMEOUT(message().contains("scene.3.png"), patience);
     child<QSlider>("frameSlider")->setValue(1);

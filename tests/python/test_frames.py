@@ -342,6 +342,43 @@ class Opening(Frames):
         folder = self.views(scenes, "scenes", "{T}/{v:02}_{u:02}.png")
         self.assertNotIn("frames", self.info(folder))
 
+    def quilts(self, light, folder, name):
+        (nx, ny), (du, dv) = HOGELS, DIRECTIONS
+        for number, frame in enumerate(light, 1):
+            quilt = frame[::-1].transpose(0, 2, 1, 3, 4).reshape(dv * ny, du * nx, 3)
+            self.picture(quilt, folder, name.format(number))
+
+    @staticmethod
+    def one_row(light):
+        """The views of quilts are one row of directions."""
+        return light.reshape(len(light), 1, -1, *light.shape[3:])
+
+    def test_a_folder_of_quilts(self):
+        """Names cannot tell frames from codings of one frame, so that it is never sure."""
+        light = moving(3)
+        self.quilts(light, "take", "room 2.{:03}_qs3x2a1.25.png")
+        said = self.info(self.path("take"))
+        self.assertIn("frames      3: 1 … 3", said)
+        self.assertIn("assumed     frames, one in each file room 2.{T}_qs3x2a1.25.png: likely", said)
+        session = hs.Session(self.path("take"))
+        self.assertEqual(session["lightField"]["file"],
+                         self.path("take", "room 2.{T}_qs3x2a1.25.png"))
+        self.assertSame(session.light_field().array(), self.one_row(light))
+
+    def test_pictures_beside_one(self):
+        """A file that is opened stays itself; those that may be its frames are told."""
+        light = moving(3)
+        self.quilts(light, "take", "room_{}_qs3x2a1.25.png")
+        one = self.path("take", "room_2_qs3x2a1.25.png")
+        self.assertIn("2 pictures have this name but for its number, and the next one is like it: "
+                      f"if they are frames, open {self.path('take', 'room_{T}_qs3x2a1.25.png')}",
+                      self.info(one))
+        self.assertSame(hs.Session(one).light_field().array(), self.one_row(light)[1])
+        self.quilts(255 - light[:1], "scenes", "room_{}_qs3x2a1.25.png")
+        os.rename(self.path("scenes", "room_1_qs3x2a1.25.png"),
+                  self.path("take", "room_3_qs3x2a1.25.png"))
+        self.assertNotIn("if they are frames", self.info(one))
+
     def test_folders_of_rows_are_no_frames(self):
         light = moving(1)[0]
         for v, row in enumerate(light):

@@ -399,6 +399,18 @@ OrderedSession sessionAroundStill(const std::string& file,
   return result;
 }
 
+/// As sessionAroundStill(); says of a picture whether those beside it may be further frames.
+OrderedSession sessionBesideFrames(const std::string& file,
+                                   const std::vector<std::string>& overrides,
+                                   const Progress& progress) {
+  OrderedSession result = sessionAroundStill(file, overrides, progress);
+  const Layout layout = result.session.lightField.layout;
+  if (typeOf(layout).holder != Holder::picture || result.hogels == Sureness::unknown) return result;
+  const std::string frames = framesBeside(file, progress);
+  if (!frames.empty()) result.order.warnings.push_back(frames);
+  return result;
+}
+
 }  // namespace
 
 OrderedSession orderedSessionAround(const std::string& file,
@@ -409,7 +421,7 @@ OrderedSession orderedSessionAround(const std::string& file,
   std::optional<FoundFrames> found;
   if (!isNumbered(names) && names.pattern.empty()) found = framesInFolder(file, progress);
   if (found) names.file = found->file;
-  if (!isNumbered(names)) return sessionAroundStill(file, overrides, progress);
+  if (!isNumbered(names)) return sessionBesideFrames(file, overrides, progress);
   const LightFieldParams still = firstStillOf(names);
   if (!still.pattern.empty()) ofStill.push_back("lightField.pattern=" + still.pattern);
   OrderedSession result = sessionAroundStill(still.file, ofStill, progress);
@@ -419,7 +431,7 @@ OrderedSession orderedSessionAround(const std::string& file,
   }
   if (found) {
     result.assumed = (result.assumed.empty() ? "" : result.assumed + "; ") +
-                     "frames, one in each folder " +
+                     "frames, one in each " + (isFolder(still.file) ? "folder " : "file ") +
                      std::filesystem::path(found->file).filename().string();
     result.hogels = found->sureness;
   }
