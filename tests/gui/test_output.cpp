@@ -308,8 +308,12 @@ void TestOutput::viewsThatCannotBeWritten() {
 void TestOutput::sceneOfDoubleSize() {
   press(Qt::Key_F5);
   QTRY_COMPARE_WITH_TIMEOUT(scene().panel().gridLines(), 0, patience);
-  QTest::qWait(200);
-  const QImage before = drawn();
+  QImage before, last;
+  do {  // until nothing is drawn any more
+    before = drawn();
+    QTest::qWait(300);
+    last = drawn();
+  } while (last != before);
   const QSize size = 2 * before.size();
   const QString file = path("out/scene.png");
   QVERIFY(savedScene(file, size).contains("Saved " + file));

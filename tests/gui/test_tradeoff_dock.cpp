@@ -89,7 +89,8 @@ class TestTradeoffDock : public WindowTest {
       QVERIFY(table()->item(line, 0)->text().startsWith(QString::fromStdString(row.method)));
       QCOMPARE(table()->item(line, 1)->text(), figureText(row.milliseconds));
       QCOMPARE(table()->item(line, 2)->text(), figureText(1000 / row.milliseconds));
-      QCOMPARE(table()->item(line, 3)->text(), figureText(row.rmse));
+      // On a slow machine a range follows, of part of the pixels.
+      QVERIFY(table()->item(line, 3)->text().startsWith(figureText(row.rmse)));
       QVERIFY(!table()->item(line, 0)->icon().isNull());
     }
   }
