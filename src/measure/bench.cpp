@@ -7,6 +7,7 @@
 #include <limits>
 #include <numbers>
 #include <stdexcept>
+#include <utility>
 
 #include "core/base/error.h"
 #include "core/content/live_source.h"
@@ -109,9 +110,11 @@ PanelParams shownBy(PanelParams display) {
 
 }  // namespace
 
-Bench::Bench(const PanelParams& display, const CameraState& state)
+Bench::Bench(const PanelParams& display, const CameraState& state, std::shared_ptr<const Twin> twin)
     : m_display(onBench(display)),
-      m_panel(shownBy(m_display)),
+      m_twin(std::move(twin)),
+      m_law(m_twin ? unitLawOf(m_twin->params()) : UnitLaw()),
+      m_panel(shownBy(m_display), m_twin),
       m_eye(Display(display).displayFromWorld().point(state.camera.eye)),
       m_psf(state.psf),
       m_pupil(state.pupil) {
@@ -129,6 +132,7 @@ Bench::Bench(const PanelParams& display, const CameraState& state)
 Bench Bench::withoutBlur() const {
   Bench plain = *this;
   plain.m_psf = {};
+  if (m_twin) plain.m_psf.light = m_psf.light;  // that a unit which adds light needs
   plain.m_pupil = {};
   return plain;
 }
@@ -166,6 +170,7 @@ std::vector<BenchPoint> Bench::look(const TestLight& light, const Vec3& eye, std
         std::make_shared<TestContent>(light), m_display, LiveParams(), StoredType::real,
         std::numeric_limits<std::size_t>::max(), serialRows);
   job.display = shownBy(m_display);
+  job.twin = m_twin;
   CameraState& state = job.state;
   state.psf = m_psf;
   state.pupil = m_pupil;

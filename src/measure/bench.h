@@ -6,11 +6,14 @@
 
 #include <array>
 #include <functional>
+#include <memory>
 #include <vector>
 
 #include "core/engine/renderer.h"
 #include "core/optics/session.h"
 #include "core/panel/sheet_numbers.h"
+#include "core/panel/twin.h"
+#include "measure/unit_law.h"
 #include "sdk/hogelscope/plugin.h"
 
 namespace hogelscope {
@@ -41,10 +44,17 @@ struct BenchPoint {
 class Bench {
  public:
   /// Takes the eye, the PSF and the pupil of a state. A lens sheet's views are the display's
-  /// directions across. Throws InputError if the eye is not in front of the panel.
-  Bench(const PanelParams& display, const CameraState& state);
+  /// directions across. With a twin the unit is on the bench; test light is still the design's
+  /// content. Throws InputError if the eye is not in front of the panel.
+  Bench(const PanelParams& display, const CameraState& state,
+        std::shared_ptr<const Twin> twin = nullptr);
 
   [[nodiscard]] const PanelParams& display() const { return m_display; }
+  /// Returns what rays meet.
+  [[nodiscard]] const Display& panel() const { return m_panel; }
+  /// Null for a design.
+  [[nodiscard]] const Twin* twin() const { return m_twin.get(); }
+  [[nodiscard]] const UnitLaw& law() const { return m_law; }
   [[nodiscard]] const Vec3& eye() const { return m_eye; }
   [[nodiscard]] double distance() const { return m_eye.z; }
   [[nodiscard]] const PsfParams& psf() const { return m_psf; }
@@ -55,7 +65,8 @@ class Bench {
   [[nodiscard]] SheetNumbers numbersOfSheet() const {
     return sheetNumbers(*m_display.sheet, m_display.directions[0], m_eye);
   }
-  /// Returns the pitch of hogels; of a lens sheet the lenses' period across, and the pixels' up.
+  /// Returns the pitch of hogels as designed; of a lens sheet the lenses' period across, and the
+  /// pixels' up.
   [[nodiscard]] double pitch(std::size_t axis) const { return m_pitches[axis]; }
   /// Returns the slope step s in the middle of the field; of a lens sheet the width s of a view's
   /// light (core/panel/sheet_numbers.h), 0 up.
@@ -98,6 +109,8 @@ class Bench {
   }
 
   PanelParams m_display;
+  std::shared_ptr<const Twin> m_twin;
+  UnitLaw m_law;
   Display m_panel;
   Vec3 m_eye;
   PsfParams m_psf;

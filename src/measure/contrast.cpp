@@ -123,13 +123,36 @@ double sheetContrastSeen(Bench& bench, const Grating& grating, std::size_t axis)
   return std::abs(sum) / lines;
 }
 
+/// The place on a grating's plane that the eye sees: perPlace · the ray's place on the panel +
+/// perEye · the eye's place, but for a constant; perLens · its place in the lens is added by
+/// hogels.
+struct SeenPlace {
+  double perPlace;
+  double perEye;
+  double perLens;
+};
+
+/// Of one colour of a unit; of a design 1 − z/D, z/D and −(1 − z/V).
+SeenPlace seenPlace(const Bench& bench, double z, std::size_t axis, std::size_t channel) {
+  const UnitLaw& law = bench.law();
+  const double distance = bench.distance();
+  const double pitchError = law.pitchError[axis] / (1 + law.pitchError[axis]);
+  const double perShift = bench.step(axis) * bench.display().directions[axis] / bench.pitch(axis);
+  const double viewing = bench.display().viewingDistance;
+  const double turn = viewing == notGiven ? 0 : z / viewing;
+  const double perEye = law.scale[channel] * z / distance;
+  const double ofTile = (1 - pitchError) * (1 - turn);
+  return {ofTile - perEye + law.scale[channel] * turn - z * perShift * pitchError, perEye,
+          z * perShift * (law.defocus + pitchError) - ofTile};
+}
+
 /// The share of the contrast that a pupil leaves.
-double pupilLaw(const Bench& bench, const Grating& grating) {
+double pupilLaw(const Bench& bench, const Grating& grating, const SeenPlace& seen) {
   const double distance = bench.distance();
   const PupilParams& pupil = bench.pupil();
   const double focus = pupil.focus > 0 ? pupil.focus : distance;
-  const double v =
-      pi * grating.frequency * pupil.diameter * std::abs(1 - (distance - grating.z) / focus);
+  const double v = pi * grating.frequency * pupil.diameter *
+                   std::abs(seen.perPlace * (1 - distance / focus) + seen.perEye);
   return v > 1e-9 ? 2 * std::cyl_bessel_j(1.0, v) / v : 1;
 }
 
@@ -143,7 +166,9 @@ double hogelContrastSeen(Bench& bench, const Grating& grating, std::size_t axis)
   const double half = std::min(panel, count * spacing) / 2;
   const int reach = bench.psf().windowSize / 2;
   const double directions = bench.display().directions[axis];
-  const double range = directions > 1 ? bench.distance() * bench.step(axis) : pitch;
+  const double range = directions > 1
+                           ? bench.distance() * bench.step(axis) / bench.law().scale[greenChannel]
+                           : pitch;
   // The second of two gratings, a quarter of a period aside in another channel, takes away what
   // hogels sample as the mirrored frequency.
   constexpr std::array shifts{0.0, pi / 2};
@@ -158,10 +183,11 @@ double hogelContrastSeen(Bench& bench, const Grating& grating, std::size_t axis)
     const std::vector<BenchPoint> points = bench.look(light, eye, axis, -half, half, count);
     std::complex<double> sum;
     for (std::size_t k = 0; k < shifts.size(); ++k) {
+      const SeenPlace seen = seenPlace(bench, grating.z, axis, k);
       HarmonicFit whole, inner;
       int inside = 0;
       for (const BenchPoint& point : points) {
-        const double atDepth = point.place + (place - point.place) * grating.z / bench.distance();
+        const double atDepth = seen.perPlace * point.place + seen.perEye * place;
         const double angle = 2 * pi * grating.frequency * atDepth - shifts[k];
         whole.add(angle, bench.waveOf(point.values[k]));
         if (point.direction < reach || point.direction >= directions - reach) continue;
@@ -214,7 +240,7 @@ double contrastLaw(const Bench& bench, const Grating& grating, std::size_t axis)
   const auto [frequency, z] = grating;
   if (const auto& sheet = bench.display().sheet)
     return std::abs(sheetContrast(*sheet, bench.display().directions[0], frequency, z, axis) *
-                    pupilLaw(bench, grating));
+                    pupilLaw(bench, grating, seenPlace(bench, z, axis, greenChannel)));
   const bool hasDirections = bench.display().directions[axis] > 1;
   const double shift = hasDirections ? frequency * bench.step(axis) * z : 0;
   const std::vector<double> weights = bench.weights();
@@ -222,11 +248,13 @@ double contrastLaw(const Bench& bench, const Grating& grating, std::size_t axis)
   double leaked = 0;
   for (int k = -reach; k <= reach; ++k)
     leaked += weights[std::size_t(k + reach)] * std::cos(2 * pi * shift * k);
-  // The light of one direction converges from hogel to hogel, so that their pitch shrinks on its
-  // way.
-  const double viewing = bench.display().viewingDistance;
-  const double pitch = bench.pitch(axis) * (viewing == notGiven ? 1 : 1 - z / viewing);
-  return std::abs(sinc(frequency * pitch) * sinc(shift) * leaked * pupilLaw(bench, grating));
+  const UnitLaw& law = bench.law();
+  const SeenPlace seen = seenPlace(bench, z, axis, greenChannel);
+  const double pitch = bench.pitch(axis) * (1 + law.pitchError[axis]) * seen.perLens;
+  const double scatter = pi * shift * bench.display().directions[axis] * (1 + law.defocus) *
+                         law.shiftSigma / bench.pitch(axis);
+  return std::abs(sinc(frequency * pitch) * sinc(shift) * leaked * pupilLaw(bench, grating, seen) *
+                  std::exp(-2 * scatter * scatter) * (1 - law.black));
 }
 
 double depthOfFall(const std::function<double(double depth)>& fall, double level, double first) {

@@ -21,8 +21,9 @@ double contrast(Bench& bench, const Grating& grating, std::size_t axis);
 /// Returns the law of the same:
 ///     sinc(f p) · sinc(f s z) · |Σ w_k cos(2π f s z k)| · 2 J₁(v)/v,   v = π f A |1 − (D − z)/Φ|
 /// with hogel pitch p, slope step s, weights w of the leakage, pupil A focused at Φ, and the eye at
-/// D. On a display with the viewing distance V, p (1 − z/V) is in place of p. Of a lens sheet,
-/// sheetContrast() times the last factor.
+/// D. On a display with the viewing distance V, p (1 − z/V) is in place of p. Of a unit also what
+/// its UnitLaw changes (docs/formulas.md, Measures of a unit). Of a lens sheet, sheetContrast()
+/// times the last factor.
 double contrastLaw(const Bench& bench, const Grating& grating, std::size_t axis);
 
 /// Returns how far a lens sheet's picture of the plane z shifts to the right on the panel from one

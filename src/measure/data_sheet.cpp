@@ -14,7 +14,7 @@ constexpr int halvings = 60;
 
 /// Returns the width of the hogel in the panel's middle, along an axis.
 double pitchByRays(const Bench& bench, std::size_t axis) {
-  const Display panel(bench.display());
+  const Display& panel = bench.panel();
   const auto hogelAt = [&](double place) {
     const Vec3 eye = axis == 0 ? Vec3{place, 0, 1} : Vec3{0, place, 1};
     const auto hit = panel.intersectPlane(eye, {0, 0, -1});
@@ -30,7 +30,7 @@ double pitchByRays(const Bench& bench, std::size_t axis) {
 
 /// Returns the slopes at the edges of the direction in the middle of the field, along an axis.
 std::array<double, 2> slopesByRays(const Bench& bench, std::size_t axis) {
-  const Display panel(bench.display());
+  const Display& panel = bench.panel();
   const auto directionAt = [&](double slope) {
     const Vec3 direction = axis == 0 ? Vec3{-slope, 0, -1} : Vec3{0, slope, -1};
     const Vec3 eye = -1.0 * direction;  // looks at the panel's centre
@@ -38,10 +38,8 @@ std::array<double, 2> slopesByRays(const Bench& bench, std::size_t axis) {
     return axis == 0 ? hit->u : hit->v;
   };
   const double middle = std::floor(directionAt(0));
-  // In the middle of that direction, or of the one above where an even number meets at slope 0.
-  double inside = 0;
-  for (double by = 1e-6; std::abs(directionAt(inside) - middle - 0.5) > 0.45; by *= 1.3)
-    inside = by;
+  const auto isBelow = [&](double slope) { return directionAt(slope) < middle + 0.5; };
+  const double inside = bisect({-100, 100}, halvings, isBelow).middle();
   const auto isSame = [&](double slope) { return std::floor(directionAt(slope)) == middle; };
   return {bisect({inside, -100}, halvings, isSame).middle(),
           bisect({inside, 100}, halvings, isSame).middle()};
@@ -52,13 +50,16 @@ std::array<double, 2> slopesByRays(const Bench& bench, std::size_t axis) {
 void addDataSheet(const Bench& bench, double pupil, std::vector<Measurement>& all) {
   const PanelParams& display = bench.display();
   for (const std::size_t axis : {0, 1}) {
-    const double step = bench.step(axis);
+    const UnitLaw& law = bench.law();
     const double distance = bench.distance();
-    const double slope = std::tan(display.fov[axis] * std::numbers::pi / 360);
+    // Of the green channel of a unit, whose gap makes directions narrower.
+    const double step = bench.step(axis) / law.scale[greenChannel];
+    const double slope =
+        std::tan(display.fov[axis] * std::numbers::pi / 360) / law.scale[greenChannel];
     const bool hasForm = display.lens == HogelLensModel::rectilinear;
-    all.push_back({"hogelPitch", "m", axisName(axis),
-                   [axis](Bench& b) { return pitchByRays(b, axis); },
-                   display.size[axis] / display.hogels[axis]});
+    all.push_back(
+        {"hogelPitch", "m", axisName(axis), [axis](Bench& b) { return pitchByRays(b, axis); },
+         display.size[axis] / display.hogels[axis] * (1 + law.pitchError[axis]) / law.turn});
     all.push_back({"slopeStep", "", axisName(axis),
                    [axis](Bench& b) {
                      const auto [low, high] = slopesByRays(b, axis);

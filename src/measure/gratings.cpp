@@ -113,9 +113,9 @@ void addDepthOfField(const Bench& bench, std::size_t axis, std::vector<Measureme
                      return depthOf(
                          [&](const Grating& grating) { return contrast(own, grating, axis); });
                    },
-                   !bench.isLinear(axis)             ? noValue
-                   : !hasBlur && hasEvenSteps(bench) ? scale
-                                                     : formOf()});
+                   !bench.isLinear(axis)                                        ? noValue
+                   : !hasBlur && hasEvenSteps(bench) && bench.twin() == nullptr ? scale
+                                                                                : formOf()});
   };
   add("depthOfField", half, false);
   add("depthOfField50", 0.5, true);

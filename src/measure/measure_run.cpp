@@ -2,6 +2,7 @@
 #include "measure/measure_run.h"
 
 #include <cmath>
+#include <utility>
 
 #include "core/base/error.h"
 #include "core/base/parallel.h"
@@ -39,6 +40,7 @@ std::string keyOf(const MeasureRequest& request, const std::vector<std::filesyst
   shown.lightField.viewingDistance = request.display.viewingDistance;
   shown.depth = request.session.depth;
   shown.cameras = {request.session.cameras.front()};
+  shown.twin = request.session.twin;
   return "measure " + std::string(programVersion()) + " " + contentHash(textOf(shown)) +
          (files.empty() ? "" : " " + contentHash(files, progress));
 }
@@ -57,8 +59,9 @@ PanelParams displayToMeasure(const Session& session, const Progress& progress) {
   return resolved(display, file->size());
 }
 
-Bench benchOf(const Session& session, const PanelParams& display) {
-  return {display, session.cameras.front()};
+Bench benchOf(const Session& session, const PanelParams& display,
+              std::shared_ptr<const Twin> twin) {
+  return {display, session.cameras.front(), std::move(twin)};
 }
 
 std::vector<Measurement> measurementsOf(const Session& session, const Bench& bench) {
@@ -69,10 +72,13 @@ std::vector<Measurement> measurementsOf(const Session& session, const Bench& ben
 }
 
 Measured measure(const MeasureRequest& request, const Progress& progress) {
-  const Bench bench = benchOf(request.session, request.display);
+  const Bench bench = benchOf(request.session, request.display,
+                              twinOf(request.session.twin, request.display, nullptr, progress));
   const std::vector<std::filesystem::path> files = sessionFiles(request.session);
   const FilesInUse inUse(files);
-  const std::vector<Measurement> all = measurementsOf(request.session, bench);
+  std::vector<Measurement> all = measurementsOf(request.session, bench);
+  std::vector<std::string> left;
+  if (bench.twin() != nullptr) left = keepThoseOfUnit(all, bench.twin()->params());
   std::vector<Bench> benches(std::size_t(threadCount()), bench);
   LongRun run = longRun(
       {request.output, keyOf(request, files, progress), all.size(), 1, request.shard},
@@ -83,13 +89,13 @@ Measured measure(const MeasureRequest& request, const Progress& progress) {
         return {all[item].simulate(benches[worker])};
       },
       progress);
-  Measured result{{}, run.taken, run.replacedAnother};
+  Measured result{{}, run.taken, run.replacedAnother, std::move(left)};
   if (request.shard) return result;
   for (std::size_t item = 0; item < all.size(); ++item)
     result.figures.push_back({all[item], run.rows[item].values.front(), run.rows[item].problem});
   if (request.output.empty()) return result;
   writeFigures(request.output, plotsOf(bench, result.figures));
-  writeTextFile(request.output / "measure.html", measurePage(request, bench, result.figures));
+  writeTextFile(request.output / "measure.html", measurePage(request, bench, result));
   writeTextFile(request.output / "measure.csv", csv(result.figures));
   run.journal->remove();
   return result;

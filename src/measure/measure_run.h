@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -15,7 +16,7 @@ namespace hogelscope {
 
 struct MeasureRequest {
   std::string name;  ///< of the session, for the page
-  Session session;   ///< its first state's eye, PSF and pupil count
+  Session session;   ///< its first state's eye, PSF and pupil count, and its twin
   PanelParams display;
   std::filesystem::path output;  ///< "": nothing is written
   std::optional<Shard> shard;
@@ -33,8 +34,9 @@ struct MeasuredFigure {
 
 struct Measured {
   std::vector<MeasuredFigure> figures;
-  std::size_t taken = 0;         ///< figures of an earlier run
-  bool replacedAnother = false;  ///< the journal of another run
+  std::size_t taken = 0;          ///< figures of an earlier run
+  bool replacedAnother = false;   ///< the journal of another run
+  std::vector<std::string> left;  ///< sentences on figures that a unit does not have
 };
 
 /// Returns the display of a session; a lens sheet's directions are the views of its quilt. The
@@ -42,15 +44,16 @@ struct Measured {
 /// InputError, Cancelled.
 PanelParams displayToMeasure(const Session& session, const Progress& progress);
 
-/// Returns the bench of a session's first state. Throws InputError (also for a lens sheet whose
-/// quilt does not say its number of views).
-Bench benchOf(const Session& session, const PanelParams& display);
+/// Returns the bench of a session's first state, with the unit or the design. Throws InputError
+/// (also for a lens sheet whose quilt does not say its number of views).
+Bench benchOf(const Session& session, const PanelParams& display,
+              std::shared_ptr<const Twin> twin = nullptr);
 /// Returns all figures of the session, not measured yet.
 std::vector<Measurement> measurementsOf(const Session& session, const Bench& bench);
 
-/// Measures and writes measure.csv, measure.html and plots/NAME.svg and .csv; for a shard only its
-/// part of the figures. After a stop the same request goes on where it was. Throws InputError,
-/// Cancelled.
+/// Measures the display, or with the session's twin the unit, and writes measure.csv, measure.html
+/// and plots/NAME.svg and .csv; for a shard only its part of the figures. After a stop the same
+/// request goes on where it was. Throws InputError, Cancelled.
 Measured measure(const MeasureRequest& request, const Progress& progress);
 
 /// Returns "measure.csv".

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 namespace hogelscope {
 
@@ -70,6 +71,25 @@ std::vector<Measurement> allMeasurements(const Bench& bench, double ipd, double 
   }
   addGratings(bench, pupil, all);
   return all;
+}
+
+std::vector<std::string> keepThoseOfUnit(std::vector<Measurement>& all, const TwinParams& twin) {
+  std::vector<std::pair<std::string, std::string>> left;  // figures, for each reason
+  std::string before;
+  std::erase_if(all, [&](const Measurement& one) {
+    const std::string why = whyNotOfUnit(one.figure, twin);
+    if (!why.empty() && one.figure != before) {
+      auto same = std::ranges::find(left, why, &std::pair<std::string, std::string>::first);
+      if (same == left.end()) same = left.insert(same, {why, ""});
+      same->second += (same->second.empty() ? "" : ", ") + one.figure;
+    }
+    before = one.figure;
+    return !why.empty();
+  });
+  std::vector<std::string> lines;
+  for (const auto& [why, figures] : left)
+    lines.push_back("not measured, since " + why + ": " + figures);
+  return lines;
 }
 
 }  // namespace hogelscope

@@ -192,15 +192,16 @@ void addUniformity(const Bench& bench, std::vector<Measurement>& all) {
                  form});
 }
 
-void addContrast(std::vector<Measurement>& all) {
-  constexpr double infinite = std::numeric_limits<double>::infinity();
+void addContrast(const Bench& bench, std::vector<Measurement>& all) {
+  const double ambient = bench.law().ambient[0];
+  const double form = (1 + ambient) / (bench.law().black + ambient);  // infinite for a design
   all.push_back({"contrast", "", "full screen, white/black",
                  [](Bench& b) {
                    const double black = linearFromEncoded(
                        b.lookAt([](const plugin::Ray&) { return grey(0); }, b.eye(), {0, 0})[0]);
                    return whiteAt(b, b.eye(), {0, 0}) / black;
                  },
-                 infinite});
+                 form});
   all.push_back({"contrast", "", "4×4 checkerboard on the panel",
                  [](Bench& b) {
                    const auto [width, height] = b.display().size;
@@ -221,7 +222,7 @@ void addContrast(std::vector<Measurement>& all) {
                      }
                    return sums[0] / sums[1];
                  },
-                 infinite});
+                 form});
 }
 
 }  // namespace
@@ -261,7 +262,7 @@ void addPhotometry(const Bench& bench, std::vector<Measurement>& all) {
     addAngularResolution(bench, middle, all);
   }
   addUniformity(bench, all);
-  addContrast(all);
+  addContrast(bench, all);
 }
 
 }  // namespace hogelscope

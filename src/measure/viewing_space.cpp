@@ -12,31 +12,64 @@ namespace hogelscope {
 
 namespace {
 
-/// Returns the slope at the edge of a linear lens' field.
-double edgeSlope(const Bench& bench, std::size_t axis) {
-  return std::tan(bench.display().fov[axis] * std::numbers::pi / 360);
+/// Where an eye sees the field of the hogels along an axis (docs/formulas.md, Measures of a unit):
+/// |shift + scale eye/D − factor x| ≤ slope for a lens whose middle is seen at x.
+struct FieldSeen {
+  double slope;     ///< at the edge of a linear lens' field
+  double shift;     ///< by the offset of a unit's lens array
+  double scale;     ///< of slopes
+  double perMetre;  ///< by the viewing distance and the pitch of a unit's lenses
+  double defocus;   ///< what the edges of a lens add, a slope
+  double panel;     ///< the panel's side, metres
+  double pitch;
+
+  [[nodiscard]] double factor(double distance) const { return scale / distance + perMetre; }
+  /// Returns the slope that all of the panel takes, as an eye on its axis sees it.
+  [[nodiscard]] double whole(double distance) const {
+    const double each = factor(distance);
+    return std::abs(shift) + std::abs(each) * (panel - pitch) / 2 +
+           std::abs(defocus - each * pitch / 2);
+  }
+};
+
+FieldSeen fieldSeen(const Bench& bench, std::size_t axis) {
+  const PanelParams& display = bench.display();
+  const UnitLaw& law = bench.law();
+  const double slope = std::tan(display.fov[axis] * std::numbers::pi / 360);
+  const double perShift = 2 * slope / bench.pitch(axis);  // 1/gap
+  const double pitchError = law.pitchError[axis] / (1 + law.pitchError[axis]);
+  const double scale = law.scale[greenChannel];
+  const double turn = display.viewingDistance == notGiven ? 0 : 1 / display.viewingDistance;
+  return {slope,
+          -perShift * law.offset[axis] * (1 - pitchError),
+          scale,
+          perShift * pitchError - scale * turn,
+          slope * law.defocus,
+          display.size[axis],
+          bench.pitch(axis)};
 }
 
 /// Returns the distance from the panel at which all of it is seen from its axis.
 double nearestZone(const Bench& bench, std::size_t axis) {
-  const PanelParams& display = bench.display();
-  // D T = (W/2) |1 − D/V|
-  const double half = display.size[axis] / 2;
-  const double turn = display.viewingDistance == notGiven ? 0 : half / display.viewingDistance;
-  return half / (edgeSlope(bench, axis) + turn);
+  const FieldSeen field = fieldSeen(bench, axis);
+  // whole(D) = slope, where the inner edges of the outermost lenses are the last ones, or the
+  // outer.
+  const double left = field.slope - std::abs(field.shift);
+  const double inner = (left - field.defocus) / (field.panel / 2 - field.pitch);
+  const double outer = (left + field.defocus) / (field.panel / 2);
+  const double factor = field.defocus >= inner * field.pitch / 2 ? inner : outer;
+  return field.scale / (factor - field.perMetre);
 }
 
 /// Returns the share of the panel's side that an eye at `place` and `distance` sees.
 double shareForm(const Bench& bench, double place, double distance, std::size_t axis) {
-  const PanelParams& display = bench.display();
-  const double widest = distance * edgeSlope(bench, axis);
-  const double half = display.size[axis] / 2;
-  const double turn = display.viewingDistance == notGiven ? 0 : 1 / display.viewingDistance;
-  // |(e − x)/D + x/V| ≤ T is an interval of x around e/(1 − D/V).
-  const double factor = 1 - distance * turn;
-  if (std::abs(factor) < 1e-12) return std::abs(place) <= widest ? 1 : 0;
-  const double middle = place / factor;
-  const double reach = widest / std::abs(factor);
+  const FieldSeen field = fieldSeen(bench, axis);
+  const double half = bench.display().size[axis] / 2;
+  const double factor = field.factor(distance);
+  const double own = field.shift + field.scale * place / distance;
+  if (std::abs(factor) < 1e-12) return std::abs(own) <= field.slope ? 1 : 0;
+  const double middle = own / factor;
+  const double reach = field.slope / std::abs(factor);
   const double seen = std::min(half, middle + reach) - std::max(-half, middle - reach);
   return std::max(seen, 0.0) / (2 * half);
 }
@@ -45,7 +78,7 @@ double shareForm(const Bench& bench, double place, double distance, std::size_t 
 /// axis; 1 only if its edges do, too.
 double shareSeen(const Bench& bench, const Vec3& eye) {
   constexpr int count = 800;
-  const Display panel(bench.display());
+  const Display& panel = bench.panel();
   const auto isSeen = [&](std::size_t axis, double share) {
     const double place = bench.display().size[axis] * (share - 0.5);
     const Vec3 point = axis == 0 ? Vec3{place, 0, 0} : Vec3{0, place, 0};
@@ -202,7 +235,8 @@ double crosstalkForm(const Bench& bench, const Vec3& head, double ipd, double bo
 double stepByMoving(Bench& bench, std::size_t axis) {
   constexpr int directions = 12;
   constexpr int perDirection = 24;
-  const double step = bench.distance() * bench.step(axis) / perDirection;
+  const double step =
+      bench.distance() * bench.step(axis) / bench.law().scale[greenChannel] / perDirection;
   const double hogel = bench.middleHogel(axis);
   const TestLight noise = [&bench, axis](const plugin::Ray& ray) {
     const double value = std::sin(12.9898 * std::floor(bench.directionOf(ray, axis))) * 43758.5453;
@@ -215,7 +249,7 @@ double stepByMoving(Bench& bench, std::size_t axis) {
   for (int k = 0; k < directions * perDirection; ++k) {
     const double place = middle + (k - directions * perDirection / 2) * step;
     const double value =
-        bench.lookAt(noise, movedTo(bench.eye(), place, axis), onAxis(hogel, axis))[0];
+        bench.lookAt(noise, movedTo(bench.eye(), place, axis), onAxis(hogel, axis))[greenChannel];
     if (!std::isnan(before) && !std::isnan(value) && value != before) changes.push_back(place);
     before = value;
   }
@@ -226,9 +260,10 @@ double stepByMoving(Bench& bench, std::size_t axis) {
 }  // namespace
 
 double halfZone(const Bench& bench, double distance, std::size_t axis) {
-  const PanelParams& display = bench.display();
-  const double turn = display.viewingDistance == notGiven ? 0 : distance / display.viewingDistance;
-  return distance * edgeSlope(bench, axis) - display.size[axis] / 2 * std::abs(1 - turn);
+  const FieldSeen field = fieldSeen(bench, axis);
+  const double left = field.slope - field.whole(distance);
+  // To both sides of the axis together, however far the offset moves the zone.
+  return left < 0 ? 0 : distance / field.scale * (left + std::abs(field.shift));
 }
 
 void addZoneMap(const Bench& bench, const EyeFigure& share, std::vector<Measurement>& all) {
@@ -282,7 +317,9 @@ void addViewingSpace(const Bench& bench, double ipd, std::vector<Measurement>& a
                    Bench plain = b.withoutBlur();
                    return stepByMoving(plain, axis);
                  },
-                 bench.isLinear(axis) ? bench.distance() * bench.step(axis) : noValue});
+                 bench.isLinear(axis)
+                     ? bench.distance() * bench.step(axis) / bench.law().scale[greenChannel]
+                     : noValue});
 }
 
 }  // namespace hogelscope

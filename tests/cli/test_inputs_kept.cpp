@@ -213,6 +213,10 @@ std::vector<Case> cases() {
                    "camera.json"} +
            kept,
        ofSession + QStringList{"camera.json"}},
+      {"measure of a unit",
+       "measure",
+       {"--measure", "--session", "plain.json", "--output", "out", "--twin", "unit.json"},
+       {"plain.json", "a.png", "unit.json"}},
       {"measure of a sheet",
        "measure",
        {"--measure", "--session", "sheet.json", "--output", "out"},
@@ -301,12 +305,12 @@ void TestInputsKept::inputsAreKept() {
   const Outcome plain = run(arguments, pristine.path());
   QVERIFY2(plain.status == 0, plain.err);
   std::vector<QString> outputs;
+  const bool all = qEnvironmentVariableIsSet("HOGELSCOPE_ALL_PAIRS");
   for (const QString& file : filesHere())
-    if (!before.contains(file)) outputs.push_back(file);
+    if (!before.contains(file) && (all || !file.endsWith("_page.svg"))) outputs.push_back(file);
   QVERIFY(!outputs.empty());
   for (const QString& input : one.inputs) QVERIFY2(before.contains(input), qPrintable(input));
 
-  const bool all = qEnvironmentVariableIsSet("HOGELSCOPE_ALL_PAIRS");
   const auto inputs = std::size_t(one.inputs.size());
   const std::size_t pairs = all ? outputs.size() * inputs : std::max(outputs.size(), inputs);
   for (std::size_t k = 0; k < pairs; ++k) {

@@ -47,13 +47,13 @@ int runMeasure(const CommandLine& line) {
   const auto warn = [&](const char* text) {
     if (!isQuiet) printNote(request.name + ": warning: " + text);
   };
-  if (!request.session.twin.isZero()) warn("the display is measured as designed, without its twin");
   if (request.session.lightField.calibration)
     warn("the panel is woven for the lens sheet itself, not for lightField.calibration");
   ProgressBar bar("measuring", isQuiet);
   const Measured measured = measure(request, bar.progress());
   bar.done();
   if (!finish(line, request.session)) return 0;
+  for (const std::string& left : measured.left) warn(left.c_str());
   printFound(folder, measured.replacedAnother, measured.taken, "figures");
   if (printShard(request.shard, "figures", "page")) return 0;
   const auto failed = std::ranges::find_if(
@@ -77,13 +77,15 @@ Job measureJob() {
               "Resolution over depth, depth of field, viewing zone, crosstalk, angular profile, "
               "uniformity and more, simulated with test light; the light field is not read. "
               "After a stop the same command goes on where it was, and --shard K/N does a part, "
-              "as of a report.",
+              "as of a report. With a twin the unit as built is measured: the figures that have a "
+              "formula for its errors; the others are named.",
           .examples =
               "  hogelscope --measure --session data/table1.json --output measures\n"
               "  hogelscope --measure --session s.json --states 'front' --output measures \\\n"
-              "             --set psf.sigma=0.67 --set psf.windowSize=5\n",
+              "             --set psf.sigma=0.67 --set psf.windowSize=5\n"
+              "  hogelscope --measure --session data/table1.json --twin unit.json --output unit\n",
           .needs = {"session", "output"},
-          .takes = {"set", "states", "calibration", "plugins-path", "save-session", "shard",
+          .takes = {"set", "states", "calibration", "twin", "plugins-path", "save-session", "shard",
                     "memory", "threads", "quiet"},
           .run = runMeasure};
 }
