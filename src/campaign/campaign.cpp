@@ -166,16 +166,28 @@ std::vector<CampaignTest> readTests(const Json* list, const std::string& documen
   return tests;
 }
 
-std::vector<std::string> readMetrics(const Json* list) {
-  std::vector<std::string> metrics;
-  if (list == nullptr) return metrics;
-  const std::string known = "is not a list of names of metrics";
-  if (!list->is_array()) throw InputError("metrics", known);
+/// Reads a list of names of `what`; empty if there is none.
+std::vector<std::string> readNames(const Json* list, const char* field, const std::string& what) {
+  std::vector<std::string> names;
+  if (list == nullptr) return names;
+  const std::string known = "is not a list of names of " + what;
+  if (!list->is_array()) throw InputError(field, known);
   for (const Json& name : *list) {
-    if (!name.is_string()) throw InputError("metrics", known);
-    metrics.push_back(name.get<std::string>());
+    if (!name.is_string()) throw InputError(field, known);
+    names.push_back(name.get<std::string>());
   }
-  return metrics;
+  return names;
+}
+
+std::vector<std::string> readColumns(const Json* tables) {
+  if (tables == nullptr) return {};
+  if (!tables->is_object())
+    throw InputError("tables", "is not an object: {\"columns\": [\"mean_psnr_seen\", …]}");
+  JsonReader reader(*tables, "tables");
+  std::vector<std::string> columns =
+      readNames(reader.section("columns"), "tables.columns", "columns of summary.csv");
+  reader.refuseUnknown();
+  return columns;
 }
 
 /// Reads lines scene,test,bits; the first one may be names of columns.
@@ -207,7 +219,8 @@ Campaign read(const Json& document, const std::string& file) {
   campaign.file = file;
   campaign.scenes = readScenes(reader.section("scenes"), file);
   campaign.tests = readTests(reader.section("tests"), file);
-  campaign.metrics = readMetrics(reader.section("metrics"));
+  campaign.metrics = readNames(reader.section("metrics"), "metrics", "metrics");
+  campaign.columns = readColumns(reader.section("tables"));
   const std::string rates = textOf(reader, "rates", "");
   reader.refuseUnknown();
   if (rates.empty()) return campaign;

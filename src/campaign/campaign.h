@@ -36,7 +36,10 @@ struct Campaign {
   std::vector<CampaignScene> scenes;
   std::vector<CampaignTest> tests;
   std::vector<std::string> metrics;  ///< in place of the sessions' own, if there are any
-  std::string rateFile;              ///< "": none
+  /// Columns of the table of means, by their names in summary.csv, and "scenes"; empty: the number
+  /// of scenes and the headlines.
+  std::vector<std::string> columns;
+  std::string rateFile;  ///< "": none
   std::vector<CampaignRate> rates;
 };
 

@@ -10,6 +10,7 @@
 #include "io/files/folders.h"
 #include "page/figure.h"
 #include "page/html.h"
+#include "page/latex_table.h"
 #include "report/page/report_tables.h"
 
 namespace hogelscope {
@@ -52,19 +53,24 @@ Table deltaTable(const CampaignResult& result) {
   return table;
 }
 
-/// Tests × headlines: means over the scenes.
+/// Tests × columns: means over the scenes.
 Table testTable(const CampaignResult& result) {
   const std::vector<MetricMean>& means = result.metrics.means();
-  Table table{{"test", "scenes"}};
-  for (std::size_t k = 0; k < means.size(); ++k)
-    if (result.metrics.isHeadline(k))
-      table[0].push_back(means[k].title + (means[k].unit.empty() ? "" : " in " + means[k].unit));
-  for (const TestOverScenes& test : result.over.tests) {
-    table.push_back({test.test, std::to_string(test.scenes)});
-    for (std::size_t k = 0; k < means.size(); ++k)
-      if (result.metrics.isHeadline(k))
-        table.back().push_back(
-            withMinus(withRange(test.means[k], test.intervals[k], means[k].decimals, "")));
+  Table table{{"test"}};
+  for (const TestOverScenes& test : result.over.tests) table.push_back({test.test});
+  for (const std::string& name : result.columns) {
+    const auto mean = std::ranges::find(means, name, &MetricMean::name);
+    const bool isMean = mean != means.end();
+    const auto k = std::size_t(mean - means.begin());
+    table[0].push_back(!isMean              ? "scenes"
+                       : mean->unit.empty() ? mean->title
+                                            : mean->title + " in " + mean->unit);
+    for (std::size_t test = 0; test < result.over.tests.size(); ++test) {
+      const TestOverScenes& of = result.over.tests[test];
+      table[test + 1].push_back(
+          isMean ? withMinus(withRange(of.means[k], of.intervals[k], mean->decimals, ""))
+                 : std::to_string(of.scenes));
+    }
   }
   return table;
 }
@@ -86,26 +92,39 @@ std::string htmlOf(const Table& table, const std::vector<std::string>& scenes) {
   return text + "</tbody></table></div>\n" + latexPart(latexTable(table));
 }
 
-/// The BD-rates of the scenes on one axis: a row for each scene, and below them the means.
-Figure deltaFigure(const CampaignResult& result) {
-  const std::vector<const BdOverScenes*> main = mainComparisons(result);
-  constexpr double left = 122, right = 12, top = 10, rowHeight = 22, below = 46;
+/// A BD-rate in a plot: of a scene, or the mean of them with its interval.
+struct DeltaMark {
+  std::size_t row = 0;
+  std::size_t group = 0;
+  double rate = 0;
+  Interval interval;
+};
+
+/// BD-rates on one axis: a row for each name, a kind of mark for each group.
+struct DeltaPlot {
+  std::string title;  ///< of the axis
+  std::vector<std::string> rows;
+  std::vector<std::string> groups;
+  std::vector<DeltaMark> marks;
+};
+
+std::string svgOf(const DeltaPlot& plot, double width) {
+  constexpr double right = 12, top = 10, rowHeight = 22, below = 46, groupHeight = 18;
+  double left = 40;
+  for (const std::string& row : plot.rows) left = std::max(left, textWidth(row) + 14);
+  left = std::min(left, 0.4 * width);
   double low = 0, high = 0;
-  const auto reach = [&](double value) {
-    if (!std::isfinite(value)) return;
-    low = std::min(low, value);
-    high = std::max(high, value);
-  };
-  for (const BdOverScenes* one : main) {
-    for (const double rate : one->ofScenes) reach(rate);
-    reach(one->rateInterval.low);
-    reach(one->rateInterval.high);
-  }
+  for (const DeltaMark& mark : plot.marks)
+    for (const double value : {mark.rate, mark.interval.low, mark.interval.high}) {
+      if (!std::isfinite(value)) continue;
+      low = std::min(low, value);
+      high = std::max(high, value);
+    }
   const double margin = 0.05 * std::max(high - low, 1.0);
-  const Axis across{low - margin, high + margin, left, columnUnits - right};
-  const double bottom = top + rowHeight * double(result.scenes.size() + 1);
-  const double names = main.size() > 1 ? 18.0 * double(main.size()) : 0;
-  std::string svg = svgStart("map", columnUnits, numberText(bottom + below + names),
+  const Axis across{low - margin, high + margin, left, width - right};
+  const double bottom = top + rowHeight * double(plot.rows.size());
+  const double names = plot.groups.size() > 1 ? groupHeight * double(plot.groups.size()) : 0;
+  std::string svg = svgStart(styleFor(width), width, numberText(bottom + below + names),
                              "BD-rate of each scene and their mean");
   for (const Tick& tick : linearTicks(across, 6)) {
     if (tick.text.empty()) continue;
@@ -114,36 +133,48 @@ Figure deltaFigure(const CampaignResult& result) {
         svgLine(x, top, x, bottom, "class=\"grid\"") + svgText(x, bottom + 16, "middle", tick.text);
   }
   svg += svgLine(across.at(0), top, across.at(0), bottom, "class=\"frame\"") +
-         svgText((left + columnUnits - right) / 2, bottom + 36, "middle",
-                 "BD-rate in % against " + result.groups.front());
-  Table csv{{"scene", "group", "bd_rate_percent", "low", "high"}};
-  const auto mark = [&](std::size_t row, std::size_t group, double rate, const Interval& interval,
-                        const std::string& name) {
-    csv.push_back({name, main[group]->group, numberCell(rate), numberCell(interval.low),
-                   numberCell(interval.high)});
-    if (!std::isfinite(rate)) return;
-    const double y = top + rowHeight * (double(row) + 0.5) + 3 * double(group % 3) - 3;
+         svgText((left + width - right) / 2, bottom + 36, "middle", plot.title);
+  const auto middleOf = [&](std::size_t row) { return top + rowHeight * (double(row) + 0.5); };
+  for (std::size_t row = 0; row < plot.rows.size(); ++row)
+    svg += svgText(left - 8, middleOf(row) + 4, "end", shortName(plot.rows[row], left - 10));
+  for (const auto& [row, group, rate, interval] : plot.marks) {
+    if (!std::isfinite(rate)) continue;
+    const double y = middleOf(row) + 3 * double(group % 3) - 3;
     svg += svgGroup(group);
     if (std::isfinite(interval.low))
       svg += svgLine(across.at(interval.low), y, across.at(interval.high), y, "class=\"interval\"");
     svg += svgMark(group, across.at(rate), y, 4, "",
-                   name + ", " + main[group]->group + ": " + percent(rate)) +
+                   "<title>" + escaped(plot.rows[row] + ", " + plot.groups[group] + ": ") +
+                       percent(rate) + "</title>") +
            "</g>";
-  };
-  for (std::size_t row = 0; row <= result.scenes.size(); ++row) {
-    const bool isMean = row == result.scenes.size();
-    const std::string name = isMean ? meanRow : result.scenes[row];
-    svg += svgText(left - 8, top + rowHeight * (double(row) + 0.5) + 4, "end", name);
-    for (std::size_t group = 0; group < main.size(); ++group)
-      mark(row, group, isMean ? main[group]->rate : main[group]->ofScenes[row],
-           isMean ? main[group]->rateInterval : Interval{unknownFigure, unknownFigure}, name);
   }
-  for (std::size_t group = 0; names > 0 && group < main.size(); ++group) {
-    const double y = bottom + below + 18 * double(group) + 12;
+  for (std::size_t group = 0; names > 0 && group < plot.groups.size(); ++group) {
+    const double y = bottom + below + groupHeight * double(group) + 12;
     svg += svgGroup(group) + svgMark(group, left + 6, y - 4, 4, "", "") + "</g>" +
-           svgText(left + 18, y, "start", main[group]->group);
+           svgText(left + 18, y, "start", shortName(plot.groups[group], width - left - 18));
   }
-  return {"bd_rates", "BD-rate of each scene", "", svg + "</svg>", csvText(csv)};
+  return svg + "</svg>";
+}
+
+/// The BD-rates of the scenes, and below them the means.
+Figure deltaFigure(const CampaignResult& result) {
+  const std::vector<const BdOverScenes*> main = mainComparisons(result);
+  DeltaPlot plot{"BD-rate in % against " + result.groups.front(), result.scenes, {}, {}};
+  plot.rows.emplace_back(meanRow);
+  for (const BdOverScenes* one : main) plot.groups.push_back(one->group);
+  Table csv{{"scene", "group", "bd_rate_percent", "low", "high"}};
+  for (std::size_t row = 0; row < plot.rows.size(); ++row)
+    for (std::size_t group = 0; group < main.size(); ++group) {
+      const bool isMean = row == result.scenes.size();
+      const DeltaMark mark{
+          row, group, isMean ? main[group]->rate : main[group]->ofScenes[row],
+          isMean ? main[group]->rateInterval : Interval{unknownFigure, unknownFigure}};
+      csv.push_back({plot.rows[row], plot.groups[group], numberCell(mark.rate),
+                     numberCell(mark.interval.low), numberCell(mark.interval.high)});
+      plot.marks.push_back(mark);
+    }
+  return {"bd_rates", "BD-rate of each scene", "",
+          [plot](double width) { return svgOf(plot, width); }, csvText(csv)};
 }
 
 std::string testsOfSigns(const CampaignResult& result) {

@@ -15,6 +15,7 @@
 #include "io/documents/session_file.h"
 #include "io/files/atomic_file.h"
 #include "io/plugins/metric_plugins.h"
+#include "page/figure.h"
 #include "report/report_reader.h"
 
 namespace hogelscope {
@@ -183,17 +184,34 @@ MetricSet campaignMetrics(const Campaign& campaign, const fs::path& output) {
   return metricsOf(names, std::move(others));
 }
 
+std::vector<std::string> tableColumns(const Campaign& campaign, const MetricSet& metrics) {
+  const std::vector<MetricMean>& means = metrics.means();
+  std::vector<std::string> headlines{"scenes"};
+  std::string known = "scenes";
+  for (std::size_t k = 0; k < means.size(); ++k) {
+    known += ", " + means[k].name;
+    if (metrics.isHeadline(k)) headlines.push_back(means[k].name);
+  }
+  for (const std::string& name : campaign.columns)
+    if (name != "scenes" && std::ranges::find(means, name, &MetricMean::name) == means.end())
+      throw InputError(campaign.file, "tables.columns", "\"" + name + "\" is none of " + known);
+  return campaign.columns.empty() ? headlines : campaign.columns;
+}
+
 std::vector<fs::path> campaignFiles(const fs::path& output) {
   std::vector<fs::path> files;
-  for (const char* name : {"campaign.csv", "summary.csv", "bd.csv", "campaign.html",
-                           "plots/bd_rates.svg", "plots/bd_rates.csv", "plots/campaign.tex"})
+  for (const char* name :
+       {"campaign.csv", "summary.csv", "bd.csv", "campaign.html", "plots/campaign.tex"})
     files.push_back(output / name);
+  for (const std::string ending : figureEndings)
+    files.push_back(output / "plots" / ("bd_rates" + ending));
   return files;
 }
 
 CampaignResult writeCampaign(const Campaign& campaign, const fs::path& output) {
   CampaignResult result;
   result.metrics = campaignMetrics(campaign, output);
+  result.columns = tableColumns(campaign, result.metrics);
   for (const CampaignTest& test : campaign.tests)
     if (!test.group.empty() && std::ranges::find(result.groups, test.group) == result.groups.end())
       result.groups.push_back(test.group);

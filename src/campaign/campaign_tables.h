@@ -18,7 +18,12 @@ struct CampaignResult {
   std::vector<std::string> groups;  ///< in the campaign's order
   OverScenes over;
   std::vector<std::string> missing;  ///< "SCENE: WHAT is missing …"
+  std::vector<std::string> columns;  ///< of the table of means (tableColumns())
 };
+
+/// Returns the columns of a campaign's table of means: those that it names, else "scenes" and the
+/// headlines. Throws InputError if the metrics have no such mean.
+std::vector<std::string> tableColumns(const Campaign& campaign, const MetricSet& metrics);
 
 /// Returns the metrics of all scenes. Throws InputError if they have different ones, or only some
 /// have frames.

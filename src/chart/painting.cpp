@@ -5,6 +5,7 @@
 #include <QImage>
 #include <QSvgGenerator>
 #include <QTemporaryDir>
+#include <cmath>
 #include <cstdio>
 
 #include "core/base/colour_map.h"
@@ -75,14 +76,17 @@ std::string pngOf(const Paint& paint, const QSize& size) {
   return buffer.data().toStdString();
 }
 
-std::string svgOf(const Paint& paint, const QSize& size, const std::string& title) {
+std::string svgOf(const Paint& paint, const QSize& size, const std::string& title,
+                  double millimetres) {
   QBuffer buffer;
   buffer.open(QIODevice::WriteOnly);
   QSvgGenerator generator;
   generator.setOutputDevice(&buffer);
   generator.setSize(size);
   generator.setViewBox(QRect({0, 0}, size));
-  generator.setResolution(108);  // pixels per inch: 2/3 pt
+  constexpr double inch = 25.4;
+  generator.setResolution(millimetres > 0 ? int(std::lround(size.width() * inch / millimetres))
+                                          : 108);  // pixels per inch: 2/3 pt
   generator.setTitle(QString::fromStdString(title));
   paintOn(generator, paint, size);
   return buffer.data().toStdString();

@@ -43,10 +43,15 @@ const ChartColours& printColours();
 /// Paints on an area of `size`, in pixels of a window, from (0, 0).
 using Paint = std::function<void(QPainter& painter, const QSizeF& size)>;
 
+/// The widths of charts for a column and for a page of a paper (page/figure.h), in pixels.
+constexpr int columnPixels = 366;
+constexpr int pagePixels = 757;
+
 /// Returns the bytes of a PNG; the next function those of an SVG. Text is DejaVu Sans of 12 pixels.
-/// A PNG has twice as many pixels in each direction; in an SVG a pixel is 2/3 pt, so that text is
-/// 8 pt.
+/// A PNG has twice as many pixels in each direction; an SVG is `millimetres` wide, or, with 0, has
+/// pixels of 2/3 pt, so that text is 8 pt.
 std::string pngOf(const Paint& paint, const QSize& size);
-std::string svgOf(const Paint& paint, const QSize& size, const std::string& title);
+std::string svgOf(const Paint& paint, const QSize& size, const std::string& title,
+                  double millimetres = 0);
 
 }  // namespace hogelscope

@@ -10,13 +10,12 @@
 #include "core/panel/depth_budget.h"
 #include "core/panel/design_numbers.h"
 #include "page/html.h"
+#include "page/latex_table.h"
 #include "page/map_plot.h"
 
 namespace hogelscope {
 
 namespace {
-
-constexpr PlotBox map{.width = 720, .height = 400, .top = 26};
 
 using Figures = std::vector<const MeasuredFigure*>;
 
@@ -169,41 +168,64 @@ MapPlot zoneMap(const Bench& bench, const std::vector<MeasuredFigure>& figures) 
 
 namespace {
 
+/// Adds a map, which is flatter on a page unless it is square.
+void addMap(const MapPlot& plot, Figure figure, const std::string& label, bool isSquare,
+            std::vector<Figure>& plots) {
+  if (plot.columns == 0) return;
+  figure.draw = [plot, label, isSquare](double width) {
+    const bool isForPage = width > columnUnits;
+    PlotBox box{.width = width, .height = isForPage ? 400.0 : 280.0, .top = 26};
+    if (isSquare) {  // the scale of colours is beside it
+      constexpr double beside = 64;
+      const double side = isForPage ? 330 : width - box.left - box.right - beside;
+      box.right = width - box.left - side - beside;
+      box.height = box.top + side + box.below;
+    }
+    return svgOf(plot, box, styleFor(width), label);
+  };
+  plots.push_back(std::move(figure));
+}
+
 void addMtf(const Bench& bench, const std::vector<MeasuredFigure>& figures,
             std::vector<Figure>& plots) {
-  const MapPlot plot = mtfMap(bench, figures);
-  if (plot.columns == 0) return;
-  plots.push_back({"mtf", "Contrast over depth and detail",
-                   "Gratings on planes, as the eye sees them; lines of contrast 0.5 and 0.1.",
-                   svgOf(plot, map, "Contrast over depth and cycles per degree"),
-                   pointsOf(chosen(figures, "mtf", ""), "dioptres", "cycles_per_degree"),
-                   twoColumns});
+  addMap(mtfMap(bench, figures),
+         {"mtf",
+          "Contrast over depth and detail",
+          "Gratings on planes, as the eye sees them; lines of contrast 0.5 and 0.1.",
+          {},
+          pointsOf(chosen(figures, "mtf", ""), "dioptres", "cycles_per_degree"),
+          true},
+         "Contrast over depth and cycles per degree", false, plots);
 }
 
 void addZone(const Bench& bench, const std::vector<MeasuredFigure>& figures,
              std::vector<Figure>& plots) {
-  const MapPlot plot = zoneMap(bench, figures);
-  if (plot.columns == 0) return;
   const std::string whatOfIt = bench.sheet() != nullptr
                                    ? "The share of the panel that no flip separates from an eye"
                                    : "The share of the panel that sends light to an eye";
-  plots.push_back({"viewing_zone", "Viewing zone from above", whatOfIt + "; the line is 0.95.",
-                   svgOf(plot, map, "Share of the panel seen, over the eye's place"),
-                   pointsOf(chosen(figures, "viewingZone", "share"), "x", "z"), twoColumns});
+  addMap(zoneMap(bench, figures),
+         {"viewing_zone",
+          "Viewing zone from above",
+          whatOfIt + "; the line is 0.95.",
+          {},
+          pointsOf(chosen(figures, "viewingZone", "share"), "x", "z"),
+          true},
+         "Share of the panel seen, over the eye's place", false, plots);
 }
 
 void addMatrix(const std::vector<MeasuredFigure>& figures, std::vector<Figure>& plots) {
   const Figures all = chosen(figures, "crosstalkMatrix", "");
   MapPlot plot = mapOf(all);
-  if (plot.columns == 0) return;
   plot.titleAcross = "direction in which the eye is";
   plot.titleUp = "direction that is lit";
   plot.unit = "light";
-  constexpr PlotBox square{.width = 480, .height = 400, .top = 26};
-  plots.push_back({"crosstalk_matrix", "Crosstalk between directions",
-                   "Luminance, as a part of that in the lit direction.",
-                   svgOf(plot, square, "Light of each direction in its neighbours"),
-                   pointsOf(all, "seen", "lit")});
+  addMap(plot,
+         {"crosstalk_matrix",
+          "Crosstalk between directions",
+          "Luminance, as a part of that in the lit direction.",
+          {},
+          pointsOf(all, "seen", "lit")},
+         "Light of each direction in its neighbours", true, plots);
 }
 
 /// Whether a figure belongs into the table: its name has few places, or it is no ratio of a plot.
@@ -322,10 +344,14 @@ std::vector<Figure> plotsOf(const Bench& bench, const std::vector<MeasuredFigure
 }
 
 std::string measurePage(const MeasureRequest& request, const Bench& bench,
-                        const std::vector<MeasuredFigure>& figures) {
-  std::string body = "<h1>The display of " + escaped(request.name) + "</h1>\n" +
-                     facts(request, bench) + agreementText(figures) + tableOf(figures);
-  for (const Figure& plot : plotsOf(bench, figures))
+                        const Measured& measured) {
+  std::string body =
+      "<h1>" +
+      std::string(bench.twin() != nullptr ? "A unit of the display of " : "The display of ") +
+      escaped(request.name) + "</h1>\n" + facts(request, bench);
+  for (const std::string& line : measured.left) body += "<p>" + escaped(line) + ".</p>\n";
+  body += agreementText(measured.figures) + tableOf(measured.figures);
+  for (const Figure& plot : plotsOf(bench, measured.figures))
     body += "<h2>" + plot.title + "</h2>\n" + figureTag(plot);
   return pageOf("Hogelscope measures: " + request.name, body);
 }

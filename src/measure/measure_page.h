@@ -37,6 +37,6 @@ std::string readValue(double value);
 
 /// Returns measure.html.
 std::string measurePage(const MeasureRequest& request, const Bench& bench,
-                        const std::vector<MeasuredFigure>& figures);
+                        const Measured& measured);
 
 }  // namespace hogelscope

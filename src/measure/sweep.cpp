@@ -21,7 +21,6 @@
 #include "measure/contrast.h"
 #include "measure/design_files.h"
 #include "measure/measure_run.h"
-#include "page/figure.h"
 #include "runs/file_hashes.h"
 #include "runs/long_run.h"
 
@@ -340,10 +339,7 @@ void measureAtValue(SweepRequest request, const UnitsAtValue& units,
 
 void writeSweep(const SweepRequest& request, const Sweep& result) {
   const std::string points = csv(request.table, result.rows);
-  std::vector<Figure> figures;
-  for (const auto& [name, svg] : sweepPlots(request.table, result.rows))
-    figures.push_back({name, "", "", svg, points, twoColumns});
-  writeFigures(request.output, figures);
+  writeFigures(request.output, sweepPlots(request.table, result.rows));
   writeTextFile(request.output / "sweep.html", sweepPage(request, result.rows, result.solvedText));
   writeTextFile(request.output / "sweep.csv", points);
 }

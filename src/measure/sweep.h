@@ -8,9 +8,11 @@
 #include <vector>
 
 #include "core/base/shard.h"
+#include "core/metrics/statistics.h"
 #include "core/optics/session.h"
 #include "measure/sweep_solve.h"
 #include "measure/sweep_table.h"
+#include "page/figure.h"
 
 namespace hogelscope {
 
@@ -38,8 +40,7 @@ struct SweepRow {
 struct SweepYield {
   std::size_t passed = 0;
   std::size_t count = 0;
-  double low = 0;  ///< of the 95 % interval of the share (Wilson, JASA 22, 1927)
-  double high = 0;
+  Interval interval;  ///< of the share, 95 %
 };
 
 struct Sweep {
@@ -91,10 +92,9 @@ std::string effectText(const SweepTable& table, const std::vector<SweepRow>& row
 /// Returns "sweep.csv".
 std::string csv(const SweepTable& table, const std::vector<SweepRow>& rows);
 
-/// Returns "sweep.html", and its plots as (name, SVG). `solved` is the sentence of solveText().
+/// Returns "sweep.html", and its plots. `solved` is the sentence of solveText().
 std::string sweepPage(const SweepRequest& request, const std::vector<SweepRow>& rows,
                       const std::string& solved = {});
-std::vector<std::pair<std::string, std::string>> sweepPlots(const SweepTable& table,
-                                                            const std::vector<SweepRow>& rows);
+std::vector<Figure> sweepPlots(const SweepTable& table, const std::vector<SweepRow>& rows);
 
 }  // namespace hogelscope

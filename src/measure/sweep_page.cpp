@@ -10,6 +10,7 @@
 #include "measure/session_numbers.h"
 #include "measure/sweep.h"
 #include "page/html.h"
+#include "page/latex_table.h"
 #include "page/plot.h"
 
 namespace hogelscope {
@@ -89,18 +90,26 @@ std::string titleOf(const std::vector<Column>& columns, std::size_t row) {
   return "<title>" + escaped(text) + "</title>";
 }
 
-constexpr double parallelHeight = 300;
+/// Returns the rows of names above axes so far apart, such that none lies on another one.
+std::size_t rowsOfNames(const std::vector<Column>& columns, double step) {
+  double widest = 0;
+  for (const Column& column : columns) widest = std::max(widest, textWidth(column.name) + 8);
+  return std::clamp<std::size_t>(std::size_t(std::ceil(widest / step)), 1, columns.size());
+}
 
-std::string parallelPlot(const std::vector<Column>& columns, const std::vector<SweepRow>& rows) {
-  constexpr double left = 50, top = 44, below = 22, step = 118;
-  const double bottom = parallelHeight - below;
-  const double width = 2 * left + step * double(columns.size() - 1);
+std::string parallelPlot(const std::vector<Column>& columns, const std::vector<SweepRow>& rows,
+                         double width) {
+  constexpr double left = 24, right = 44, below = 12, axes = 234, line = 16;
+  const double step = (width - left - right) / std::max(1.0, double(columns.size()) - 1);
+  const std::size_t names = rowsOfNames(columns, step);
+  const double top = line * double(names) + 12;
+  const double bottom = top + axes;
   const auto axisOf = [&](const Column& column) {
     return Axis{column.isConstant() ? column.low - 0.5 : column.low,
                 column.isConstant() ? column.low + 0.5 : column.high, bottom, top};
   };
-  std::string text = svgStart("wide brushed", width, numberText(parallelHeight),
-                              "Designs over parameters and figures") +
+  std::string text = svgStart(std::string(styleFor(width)) + " brushed", width,
+                              numberText(bottom + below), "Designs over parameters and figures") +
                      "\n";
   for (const std::size_t row : drawingOrder(rows)) {
     std::string points;
@@ -118,14 +127,21 @@ std::string parallelPlot(const std::vector<Column>& columns, const std::vector<S
   for (std::size_t c = 0; c < columns.size(); ++c) {
     const double x = left + step * double(c);
     const Axis axis = axisOf(columns[c]);
+    // Names of the first and the last axis begin and end within the figure.
+    const double half = textWidth(columns[c].name) / 2;
+    const double middle =
+        std::clamp(x, std::min(half, width / 2), width - std::min(half, width / 2));
     text += svgLine(x, top, x, bottom, "stroke=\"#111\"") +
-            svgText(x, c % 2 == 0 ? 14 : 30, "middle", columns[c].name);
+            svgTextOver(middle, line * double(c % names + 1) - 2, "middle",
+                        shortName(columns[c].name, width));
+    const auto tick = [&](double value, const std::string& name) {
+      text += svgTextOver(x + 5, axis.at(value) + 4, "start", shortName(name, step));
+    };
     if (columns[c].texts.empty()) {
-      for (const Tick& tick : linearTicks(axis, 5))
-        text += svgText(x + 5, axis.at(tick.value) + 4, "start", tick.text);
+      for (const Tick& one : linearTicks(axis, 5)) tick(one.value, one.text);
     } else {
       for (std::size_t k = 0; k < columns[c].texts.size(); ++k)
-        text += svgText(x + 5, axis.at(double(k)) + 4, "start", columns[c].texts[k]);
+        tick(double(k), columns[c].texts[k]);
     }
     text += "<rect class=\"brush\" data-column=\"" + std::to_string(c) + "\" x=\"" +
             coordinate(x - 12) + "\" y=\"" + coordinate(top) + "\" width=\"24\" height=\"" +
@@ -134,23 +150,33 @@ std::string parallelPlot(const std::vector<Column>& columns, const std::vector<S
   return text + "</svg>\n";
 }
 
-std::string scatterPlot(const std::vector<Column>& all, const std::vector<SweepRow>& rows) {
+std::string scatterPlot(const std::vector<Column>& all, const std::vector<SweepRow>& rows,
+                        double width) {
   std::vector<Column> columns;
   for (const Column& column : all)
     if (!column.isConstant()) columns.push_back(column);
-  constexpr double side = 110, gap = 12, left = 66, below = 34;
+  constexpr double gap = 12, left = 66, below = 34, line = 16;
   const auto count = double(columns.size());
-  const double width = left + count * (side + gap);
+  const double side = (width - left) / std::max(1.0, count) - gap;
+  // Names that are wider than their fields stand below; the fields have their numbers.
+  const bool areBelow = std::ranges::any_of(
+      columns, [side](const Column& column) { return textWidth(column.name) > side; });
   const double height = count * (side + gap) + below;
   std::string text =
-      svgStart("wide", width, numberText(height), "Each pair of parameters and figures") + "\n";
+      svgStart(styleFor(width), width, numberText(height + (areBelow ? line * count : 0)),
+               "Each pair of parameters and figures") +
+      "\n";
+  for (std::size_t k = 0; areBelow && k < columns.size(); ++k)
+    text += svgText(left, height + line * (double(k) + 0.7), "start",
+                    std::to_string(k + 1) + "  " + columns[k].name);
   for (std::size_t j = 0; j < columns.size(); ++j)
     for (std::size_t i = 0; i < columns.size(); ++i) {
       const double x = left + double(i) * (side + gap);
       const double y = double(j) * (side + gap);
       text += svgRectangle(x, y, side, side, "class=\"frame\"");
       if (i == j) {
-        text += svgText(x + side / 2, y + side / 2, "middle", columns[i].name);
+        text += svgText(x + side / 2, y + side / 2 + 4, "middle",
+                        areBelow ? std::to_string(i + 1) : columns[i].name);
         continue;
       }
       const Axis across{columns[i].low, columns[i].high, x + 5, x + side - 5};
@@ -165,7 +191,7 @@ std::string scatterPlot(const std::vector<Column>& all, const std::vector<SweepR
                 "\" fill-opacity=\".7\"/>";
       }
       if (j + 1 == columns.size() && columns[i].texts.empty())
-        for (const Tick& tick : linearTicks(across, 3))
+        for (const Tick& tick : linearTicks(across, std::max(1, int(side / 34))))
           text += svgText(across.at(tick.value), y + side + 15, "middle", tick.text);
       if (i == 0 && columns[j].texts.empty())
         for (const Tick& tick : linearTicks(up, 3))
@@ -233,10 +259,15 @@ std::string contrastsText(const SweepTable& table) {
 
 }  // namespace
 
-std::vector<std::pair<std::string, std::string>> sweepPlots(const SweepTable& table,
-                                                            const std::vector<SweepRow>& rows) {
+std::vector<Figure> sweepPlots(const SweepTable& table, const std::vector<SweepRow>& rows) {
   const std::vector<Column> columns = columnsOf(table, rows);
-  return {{"parallel", parallelPlot(columns, rows)}, {"scatter", scatterPlot(columns, rows)}};
+  const std::string points = csv(table, rows);
+  const auto figure = [&](const char* name, const char* title, const auto& plot) {
+    return Figure{name,   title, "", [=](double width) { return plot(columns, rows, width); },
+                  points, true};
+  };
+  return {figure("parallel", "Parallel coordinates", parallelPlot),
+          figure("scatter", "Pairs", scatterPlot)};
 }
 
 std::string sweepPage(const SweepRequest& request, const std::vector<SweepRow>& rows,
@@ -257,9 +288,8 @@ std::string sweepPage(const SweepRequest& request, const std::vector<SweepRow>& 
                 body +
                     ".</p>\n<h2>Parallel coordinates</h2>\n<p>Each line is a design. Drag along "
                     "an axis to keep a range of it; click on the axis to take it back.</p>\n" +
-                    "<figure>" + plots[0].second + "</figure>\n<h2>Pairs</h2>\n<figure>" +
-                    plots[1].second + "</figure>\n<h2>Designs</h2>\n" +
-                    contrastsText(request.table) + tableOf(request, rows));
+                    figureTag(plots[0]) + "<h2>Pairs</h2>\n" + figureTag(plots[1]) +
+                    "<h2>Designs</h2>\n" + contrastsText(request.table) + tableOf(request, rows));
 }
 
 }  // namespace hogelscope

@@ -87,16 +87,8 @@ void markPassing(const SweepTable& table, std::vector<SweepRow>& rows) {
 }
 
 SweepYield yieldOf(const std::vector<SweepRow>& rows) {
-  SweepYield yield{std::size_t(std::ranges::count_if(rows, &SweepRow::passes)), rows.size()};
-  const auto n = double(rows.size());
-  if (rows.empty()) return yield;
-  const double z = normalQuantile(0.975);
-  const double share = double(yield.passed) / n;
-  const double middle = share + z * z / (2 * n);
-  const double half = z * std::sqrt(share * (1 - share) / n + z * z / (4 * n * n));
-  yield.low = (middle - half) / (1 + z * z / n);
-  yield.high = (middle + half) / (1 + z * z / n);
-  return yield;
+  const auto passed = std::size_t(std::ranges::count_if(rows, &SweepRow::passes));
+  return {passed, rows.size(), shareInterval(passed, rows.size())};
 }
 
 std::string yieldText(const SweepTable& table, const std::vector<SweepRow>& rows) {
@@ -113,7 +105,7 @@ std::string yieldText(const SweepTable& table, const std::vector<SweepRow>& rows
   const auto percent = [](double share) { return rounded(100 * share, 1); };
   return passed + " units pass (" + limits + "): yield " +
          percent(yield.count == 0 ? 0 : double(yield.passed) / double(yield.count)) + " % (" +
-         percent(yield.low) + " … " + percent(yield.high) + " %)";
+         percent(yield.interval.low) + " … " + percent(yield.interval.high) + " %)";
 }
 
 std::string effectText(const SweepTable& table, const std::vector<SweepRow>& rows) {

@@ -5,10 +5,10 @@
 #include <cmath>
 #include <numeric>
 
-#include "core/base/bisect.h"
 #include "core/base/error.h"
 #include "core/base/random_numbers.h"
 #include "core/base/text.h"
+#include "core/metrics/statistics.h"
 #include "io/files/atomic_file.h"
 #include "io/json/json_parameters.h"
 
@@ -227,11 +227,6 @@ bool areUnits(const SweepTable& table) {
     return parameter.kind == SweepParameter::Kind::normal || parameter.name.ends_with(".seed") ||
            (table.sampling == SweepSampling::latinHypercube && parameter.name.starts_with("twin."));
   });
-}
-
-double normalQuantile(double share) {
-  const auto isBelow = [share](double x) { return 0.5 * std::erfc(-x / std::sqrt(2.0)) < share; };
-  return bisect({-40, 40}, 80, isBelow).middle();
 }
 
 std::string SweepParameter::at(double share) const {

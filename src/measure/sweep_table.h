@@ -88,7 +88,4 @@ std::vector<std::string> overridesOf(const SweepTable& table, const Design& desi
 /// distributions or seeds, or errors of a twin in a Latin hypercube.
 bool areUnits(const SweepTable& table);
 
-/// The inverse of the normal distribution's Φ, by bisection: Φ(x) = share.
-double normalQuantile(double share);
-
 }  // namespace hogelscope

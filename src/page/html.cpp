@@ -13,55 +13,25 @@ namespace hogelscope {
 
 namespace {
 
-using Replacement = std::pair<std::string_view, std::string_view>;
-
-std::string replaced(std::string_view text, std::span<const Replacement> all) {
-  std::string out;
-  while (!text.empty()) {
-    const auto found = std::ranges::find_if(
-        all, [&](const Replacement& one) { return text.starts_with(one.first); });
-    out += found == all.end() ? text.substr(0, 1) : found->second;
-    text.remove_prefix(found == all.end() ? 1 : found->first.size());
-  }
-  return out;
-}
-
 std::string escapedLine(const std::string& text) {
-  static constexpr std::array<Replacement, 4> entities{
-      {{"&", "&amp;"}, {"<", "&lt;"}, {">", "&gt;"}, {"\"", "&quot;"}}};
-  return replaced(printable(text), entities);
-}
-
-/// Returns the text for LaTeX: special characters escaped, dashes and hyphens in ASCII.
-std::string texText(const std::string& text) {
-  static constexpr std::array<Replacement, 16> commands{{{"\\", "\\textbackslash{}"},
-                                                         {"{", "\\{"},
-                                                         {"}", "\\}"},
-                                                         {"&", "\\&"},
-                                                         {"%", "\\%"},
-                                                         {"$", "\\$"},
-                                                         {"#", "\\#"},
-                                                         {"_", "\\_"},
-                                                         {"~", "\\textasciitilde{}"},
-                                                         {"^", "\\textasciicircum{}"},
-                                                         {"–", "--"},
-                                                         {"\u2011", "-"},
-                                                         {"−", "$-$"},
-                                                         {"…", "\\ldots{}"},
-                                                         {"<", "\\textless{}"},
-                                                         {">", "\\textgreater{}"}}};
-  return replaced(text, commands);
-}
-
-std::string lineOf(const std::vector<std::string>& cells) {
-  std::string line;
-  for (const std::string& cell : cells)
-    line += (line.empty() ? "" : " & ") + texText(withMinus(cell));
-  return line + " \\\\\n";
-}
-
-bool isNumber(const std::string& cell) {
-  return !cell.empty() && std::string_view("0123456789-").find(cell[0]) != std::string_view::npos;
+  std::string out;
+  for (const char letter : printable(text)) switch (letter) {
+      case '&':
+        out += "&amp;";
+        break;
+      case '<':
+        out += "&lt;";
+        break;
+      case '>':
+        out += "&gt;";
+        break;
+      case '"':
+        out += "&quot;";
+        break;
+      default:
+        out += letter;
+    }
+  return out;
 }
 
 }  // namespace
@@ -94,19 +64,6 @@ std::string base64(const std::string& bytes) {
 
 std::string imageTag(const std::string& png, const std::string& text) {
   return "<img alt=\"" + escaped(text) + "\" src=\"data:image/png;base64," + base64(png) + "\"/>";
-}
-
-std::string latexTable(const Table& table) {
-  const auto rows = std::span(table).subspan(1);
-  std::string columns;
-  for (std::size_t k = 0; k < table[0].size(); ++k) {
-    const bool isRight =
-        k > 0 && std::ranges::any_of(rows, [k](const auto& row) { return isNumber(row[k]); });
-    columns += isRight ? "r" : "l";
-  }
-  std::string tex = "\\begin{tabular}{" + columns + "}\n\\hline\n" + lineOf(table[0]) + "\\hline\n";
-  for (const std::vector<std::string>& row : rows) tex += lineOf(row);
-  return tex + "\\hline\n\\end{tabular}\n";
 }
 
 std::string latexPart(const std::string& tex) {

@@ -17,9 +17,6 @@ std::string base64(const std::string& bytes);
 /// Returns an embedded image of a PNG file's bytes; `text` is its alternative text.
 std::string imageTag(const std::string& png, const std::string& text);
 
-/// Returns a table as LaTeX's tabular: text columns left-aligned, columns whose cells begin with a
-/// digit or a sign right-aligned. It needs no package.
-std::string latexTable(const Table& table);
 /// Returns a folded part of the page with LaTeX, for copying.
 std::string latexPart(const std::string& tex);
 

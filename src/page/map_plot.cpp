@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "core/base/text.h"
 
@@ -19,9 +20,47 @@ std::string stroke(double x1, double y1, double x2, double y2, const std::string
          svgLine(x1, y1, x2, y2, "stroke=\"#fff\" stroke-width=\"1.2\"" + more);
 }
 
-std::string nameText(double x, double y, const std::string& name) {
-  return "<g paint-order=\"stroke\" stroke=\"#fff\" stroke-width=\"3\">" +
-         svgText(x, y, "start", name) + "</g>";
+/// Places names in a map such that none lies on another one or leaves the map on the right.
+class Names {
+ public:
+  explicit Names(double right) : m_right(right) {}
+
+  /// Returns a name beside a point; further ones of about the same place go down, or up.
+  std::string at(double x, double y, bool goesDown, const std::string& name) {
+    constexpr double gap = 4, line = 14;
+    const double width = textWidth(name);
+    const bool isLeft = x + gap + width > m_right;
+    Place place{isLeft ? x - gap - width : x + gap, y, width};
+    while (std::ranges::any_of(m_taken, [&](const Place& other) {
+      return std::abs(other.y - place.y) < line && place.x < other.x + other.width + gap &&
+             other.x < place.x + place.width + gap;
+    }))
+      place.y += goesDown ? line : -line;
+    m_taken.push_back(place);
+    return svgTextOver(isLeft ? x - gap : x + gap, place.y, isLeft ? "end" : "start", name);
+  }
+
+ private:
+  struct Place {
+    double x;
+    double y;
+    double width;
+  };
+  double m_right;
+  std::vector<Place> m_taken;
+};
+
+/// Returns the ticks whose texts have room beside those of the ticks before them in the list.
+std::vector<Tick> withRoom(const std::vector<Tick>& ticks, const Axis& across) {
+  std::vector<Tick> placed;
+  std::ranges::copy_if(ticks, std::back_inserter(placed), [&](const Tick& tick) {
+    return std::ranges::none_of(placed, [&](const Tick& other) {
+      constexpr double space = 8;
+      return std::abs(across.at(tick.value) - across.at(other.value)) <
+             (textWidth(tick.text) + textWidth(other.text)) / 2 + space;
+    });
+  });
+  return placed;
 }
 
 }  // namespace
@@ -56,11 +95,13 @@ std::vector<ContourPiece> contourOf(const MapPlot& plot, double level) {
   return pieces;
 }
 
-std::string svgOf(const MapPlot& plot, const PlotBox& box, const std::string& label) {
+std::string svgOf(const MapPlot& plot, const PlotBox& box, std::string_view style,
+                  const std::string& label) {
   const Axis across{plot.across[0], plot.across[1], box.left, box.width - box.right - scaleRoom};
   const Axis up{plot.up[0], plot.up[1], box.height - box.below, box.top};
-  std::string text = svgStart("wide", box.width, numberText(box.height), label) +
-                     svgFrame(across, up, plot.titleAcross, plot.titleUp, plot.ticks);
+  std::string text =
+      svgStart(style, box.width, numberText(box.height), label) +
+      svgFrame(across, up, plot.titleAcross, plot.titleUp, withRoom(plot.ticks, across));
   const double width = (across.to - across.from) / plot.columns;
   const double height = (up.from - up.to) / std::max(plot.rows(), 1);
   for (std::size_t k = 0; k < plot.values.size(); ++k) {
@@ -75,14 +116,17 @@ std::string svgOf(const MapPlot& plot, const PlotBox& box, const std::string& la
   for (const double level : plot.contours)
     for (const auto& [from, to] : contourOf(plot, level))
       text += stroke(across.at(from[0]), up.at(from[1]), across.at(to[0]), up.at(to[1]), "");
-  for (const auto& [from, to, name] : plot.lines) {
+  for (const auto& [from, to, name] : plot.lines)
     text += from == to ? "<circle cx=\"" + rounded(across.at(to[0]), 1) + "\" cy=\"" +
                              rounded(up.at(to[1]), 1) +
                              "\" r=\"5\" fill=\"#ff9a2e\" stroke=\"#fff\" stroke-width=\"1.5\"/>"
                        : stroke(across.at(from[0]), up.at(from[1]), across.at(to[0]), up.at(to[1]),
                                 " stroke-dasharray=\"5 4\"");
+  Names names(across.to);
+  for (const auto& [from, to, name] : plot.lines) {
+    if (name.empty()) continue;
     const bool endsBelow = to[1] < from[1];
-    text += nameText(across.at(to[0]) + 4, up.at(to[1]) + (endsBelow ? -6 : 13), name);
+    text += names.at(across.at(to[0]), up.at(to[1]) + (endsBelow ? -6 : 15), !endsBelow, name);
   }
   const Axis scale{plot.shades[0], plot.shades[1], up.from, up.to};
   return text + svgScale(across.to + 18, scale, plot.unit) + "</svg>\n";

@@ -29,7 +29,8 @@ struct MapPlot {
   std::array<double, 2> shades{0, 1};  ///< the ends of the colours
   std::vector<double> contours;        ///< lines of these values are drawn
   std::vector<Line> lines;
-  std::vector<Tick> ticks;  ///< of the horizontal axis; linear ones by default
+  /// Of the horizontal axis, the most important first; linear ones by default.
+  std::vector<Tick> ticks;
 
   [[nodiscard]] int rows() const { return columns > 0 ? int(values.size()) / columns : 0; }
 };
@@ -39,8 +40,9 @@ using ContourPiece = std::array<std::array<double, 2>, 2>;
 /// Returns the line of a value, interpolated between the middles of cells (marching squares).
 std::vector<ContourPiece> contourOf(const MapPlot& plot, double level);
 
-/// Returns the map as an element `<svg>` of the class "wide"; `label` is read to those who do not
-/// see it.
-std::string svgOf(const MapPlot& plot, const PlotBox& box, const std::string& label);
+/// Returns the map as an element `<svg>` of the class `style`; `label` is read to those who do not
+/// see it. Names of lines are drawn over all lines, beside each other.
+std::string svgOf(const MapPlot& plot, const PlotBox& box, std::string_view style,
+                  const std::string& label);
 
 }  // namespace hogelscope

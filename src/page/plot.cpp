@@ -71,29 +71,15 @@ struct Legend {
   double height = 0;
 };
 
-/// Returns the characters of a name of at most `most`, without its middle if it has more.
-std::vector<std::string> shortened(const std::string& name, std::size_t most) {
-  std::vector<std::string> letters;
-  for (std::size_t at = 0; at < name.size(); at += letters.back().size())
-    letters.push_back(name.substr(at, characterAt(name, at).bytes));
-  if (letters.size() <= most) return letters;
-  const auto half = std::ptrdiff_t((most - 1) / 2);
-  letters.erase(letters.begin() + half, letters.end() - half);
-  letters.insert(letters.begin() + half, "…");
-  return letters;
-}
-
 Legend legendOf(const Plot& plot, const PlotBox& box) {
-  constexpr double letter = 7.2;  // mean width of one
   constexpr double mark = 30;
   Legend legend;
   if (plot.series.size() < 2) return legend;
-  const auto most = std::size_t(std::max(8.0, (box.width - box.left - mark) / letter));
   double x = box.left;
   double y = box.height + 12;
   for (std::size_t k = 0; k < plot.series.size(); ++k) {
-    const std::vector<std::string> letters = shortened(plot.series[k].name, most);
-    const double width = mark + letter * double(letters.size()) + 14;
+    const std::string name = shortName(plot.series[k].name, box.width - box.left - mark);
+    const double width = mark + textWidth(name) + 14;
     if (x > box.left && x + width > box.width) {
       x = box.left;
       y += legendLine;
@@ -104,9 +90,7 @@ Legend legendOf(const Plot& plot, const PlotBox& box) {
                     " " + coordinate(x + mark - 6) + "," + coordinate(y) + "\"" + dashAttribute(k) +
                     "/>";
     legend.svg += svgMark(k, x + (mark - 6) / 2, y, 4.5, "", "") + "</g>" +
-                  svgText(x + mark, y + 4, "start",
-                          std::accumulate(letters.begin(), letters.end(), std::string())) +
-                  "\n";
+                  svgText(x + mark, y + 4, "start", name) + "\n";
     x += width;
   }
   legend.height = y + 10 - box.height;
@@ -126,6 +110,32 @@ std::string svgGroup(std::size_t series) {
   return "<g class=\"points\" fill=\"" + colour + "\" color=\"" + colour + "\">";
 }
 
+namespace {
+
+std::vector<std::string> lettersOf(const std::string& text) {
+  std::vector<std::string> letters;
+  for (std::size_t at = 0; at < text.size(); at += letters.back().size())
+    letters.push_back(text.substr(at, characterAt(text, at).bytes));
+  return letters;
+}
+
+}  // namespace
+
+double textWidth(const std::string& text) {
+  return letterWidth * double(lettersOf(text).size());
+}
+
+std::string shortName(const std::string& name, double width) {
+  constexpr double least = 8;  // letters
+  std::vector<std::string> letters = lettersOf(name);
+  const auto most = std::size_t(std::max(least, width / letterWidth));
+  if (letters.size() <= most) return name;
+  const auto half = std::ptrdiff_t((most - 1) / 2);
+  letters.erase(letters.begin() + half, letters.end() - half);
+  letters.insert(letters.begin() + half, "…");
+  return std::accumulate(letters.begin(), letters.end(), std::string());
+}
+
 std::string coordinate(double value) {
   return rounded(value, 2);
 }
@@ -133,6 +143,11 @@ std::string coordinate(double value) {
 std::string svgText(double x, double y, std::string_view anchor, const std::string& text) {
   return "<text x=\"" + coordinate(x) + "\" y=\"" + coordinate(y) + "\" text-anchor=\"" +
          std::string(anchor) + "\">" + escaped(text) + "</text>";
+}
+
+std::string svgTextOver(double x, double y, std::string_view anchor, const std::string& text) {
+  return "<g paint-order=\"stroke\" stroke=\"#fff\" stroke-width=\"3\">" +
+         svgText(x, y, anchor, text) + "</g>";
 }
 
 std::string svgLine(double x1, double y1, double x2, double y2, const std::string& more) {
@@ -273,7 +288,7 @@ std::string svgFrame(const Axis& across, const Axis& up, const std::string& titl
          ") rotate(-90)\">" + svgText(0, 0, "middle", titleUp) + "</g>\n";
 }
 
-std::string svgOf(const Plot& plot, const PlotBox& box, const std::string& style,
+std::string svgOf(const Plot& plot, const PlotBox& box, std::string_view style,
                   const std::string& label) {
   const PlotArea area = areaOf(plot, box);
   const Legend legend = legendOf(plot, box);

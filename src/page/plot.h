@@ -84,7 +84,7 @@ std::vector<double> dashesOf(std::size_t series);
 
 /// Returns the plot as an element `<svg>` of the class `style`. Below the box are the names of the
 /// series with their marks, if there are several.
-std::string svgOf(const Plot& plot, const PlotBox& box, const std::string& style,
+std::string svgOf(const Plot& plot, const PlotBox& box, std::string_view style,
                   const std::string& label);
 
 // SVG elements for other figures. `more` are attributes.
@@ -96,10 +96,18 @@ std::string svgStart(std::string_view style, double width, const std::string& he
 /// Returns the start of a series' group: its marks are filled, and its lines of the classes "curve"
 /// and "interval" are drawn, in its colour.
 std::string svgGroup(std::size_t series);
+/// The mean width of a letter of a plot's text, SVG units.
+constexpr double letterWidth = 7.2;
+/// Returns the characters of a name that fit into a width, without its middle if it has more.
+std::string shortName(const std::string& name, double width);
+/// Returns the width of a text as it is drawn, about.
+double textWidth(const std::string& text);
 /// Formats a coordinate with two digits after the point.
 std::string coordinate(double value);
 /// Returns a text element; `anchor` is start, middle or end.
 std::string svgText(double x, double y, std::string_view anchor, const std::string& text);
+/// Returns a text over lines, which end around its letters.
+std::string svgTextOver(double x, double y, std::string_view anchor, const std::string& text);
 std::string svgLine(double x1, double y1, double x2, double y2, const std::string& more);
 std::string svgRectangle(double x, double y, double width, double height, const std::string& more);
 /// Returns the mark of a series with an element `<title>`, or "".

@@ -12,7 +12,9 @@
 #include "core/optics/eyes.h"
 #include "io/files/atomic_file.h"
 #include "io/images/image_writer.h"
+#include "page/figure.h"
 #include "report/page/report_tables.h"
+#include "report/page/test_names.h"
 
 namespace hogelscope {
 
@@ -155,18 +157,19 @@ std::string pictureName(const std::vector<ReportRow>& rows, std::size_t row) {
 
 std::vector<fs::path> filesOf(const ReportRequest& request) {
   const fs::path folder = request.output;
-  std::vector<fs::path> files{folder / "report.csv",      folder / "metrics.csv",
-                              folder / "summary.csv",     folder / "bd.csv",
-                              folder / "report.html",     folder / "plots" / "means.tex",
-                              folder / "plots" / "bd.tex"};
+  std::vector<fs::path> files{folder / "report.csv",       folder / "metrics.csv",
+                              folder / "summary.csv",      folder / "bd.csv",
+                              folder / "report.html",      folder / "plots" / "means.tex",
+                              folder / "plots" / "bd.tex", folder / "plots" / "tests.csv"};
   if (request.hasPage) files.push_back(folder / "page.html");
   const auto plot = [&](const std::string& name) {
-    for (const char* ending : {".svg", ".csv"}) files.push_back(folder / "plots" / (name + ending));
+    for (const char* ending : figureEndings) files.push_back(folder / "plots" / (name + ending));
   };
   for (const MetricMean& mean : request.metrics.means()) {
     plot("rate_" + mean.name);
     if (!request.frames.empty()) plot("frames_" + mean.name);
-    if (request.isAgainstDesign) plot("units_" + mean.name);
+    if (request.isAgainstDesign)
+      for (const char* kind : {"units_", "yield_"}) plot(kind + mean.name);
   }
   for (std::size_t test = 0; test < request.tests.size(); ++test) {
     for (const char* ending : {"hogels.exr", "directions.exr", "views.exr", "hogels.png",
@@ -177,7 +180,7 @@ std::vector<fs::path> filesOf(const ReportRequest& request) {
         files.push_back(viewFile(folder, {0, test, which}, ending));
     for (const char* kind :
          {"above", "front", "angle", "states", "hogels", "directions", "views", "ranks"})
-      plot("test" + std::to_string(test + 1) + "_" + kind);
+      plot(plotNameOf(request.tests[test].name, test) + "_" + kind);
     if (!request.images) continue;
     const std::vector<int>& frames = request.frames;
     for (std::size_t view = 0; view < request.session.cameras.size(); ++view) {
@@ -232,6 +235,11 @@ void writeTables(const fs::path& folder, const Report& report, const MetricSet& 
     writeTextFile(folder / "plots" / "bd.tex", bdTex(report.comparisons, metrics));
   }
   writeTextFile(folder / "plots" / "means.tex", meansTex(report.summaries, metrics));
+  Table names{{"number", "test", "plots"}};
+  for (std::size_t test = 0; test + 1 < report.summaries.size(); ++test)
+    names.push_back({std::to_string(test + 1), report.summaries[test].test,
+                     plotNameOf(report.summaries[test].test, test)});
+  writeTextFile(folder / "plots" / "tests.csv", csvText(names));
   writeTextFile(folder / "report.csv", reportCsv(report.rows, metrics));
 }
 

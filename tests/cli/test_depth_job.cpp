@@ -61,8 +61,9 @@ void TestDepthJob::ofALiveScene() {
   QCOMPARE(outcome.status, 0);
   QCOMPARE(namesIn("out"),
            (QStringList{"depth.csv", "depth.json", "depth.png", "depth.svg", "plots"}));
-  QCOMPARE(namesIn("out/plots"), (QStringList{"depth_now.csv", "depth_now.svg",
-                                              "depth_proposed.csv", "depth_proposed.svg"}));
+  QCOMPARE(namesIn("out/plots"),
+           (QStringList{"depth_now.csv", "depth_now.svg", "depth_now_page.svg",
+                        "depth_proposed.csv", "depth_proposed.svg", "depth_proposed_page.svg"}));
   QCOMPARE(tableOf("out/plots/depth_now.csv").size(), 161);
   QVERIFY(!QImage("out/depth.png").isNull());
   QVERIFY(contentOf("out/depth.svg").contains("<svg"));

@@ -65,11 +65,14 @@ void TestMeasureJob::writesItsFiles() {
   QCOMPARE(namesIn("out"), (QStringList{"measure.csv", "measure.html", "plots"}));
   QVERIFY(isXml("out/measure.html"));
   QStringList files;
-  for (const QString& name : names) files << name + ".csv" << name + ".svg";
+  for (const QString& name : names) files << name + ".csv" << name + ".svg" << name + "_page.svg";
+  files.sort();
   QCOMPARE(namesIn("out/plots"), files);
   for (const QString& name : names) {
     QVERIFY(isXml("out/plots/" + name + ".svg"));
     QVERIFY(contentOf("out/plots/" + name + ".svg").startsWith("<svg xmlns="));
+    QVERIFY(contentOf("out/plots/" + name + ".svg").contains("width=\"86mm\""));
+    QVERIFY(contentOf("out/plots/" + name + "_page.svg").contains("width=\"178mm\""));
     QVERIFY(tableOf("out/plots/" + name + ".csv").size() > 5);
   }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Tests a report's numbers against scikit-image on the written pictures, its summary, and BD-rates.
+#include <QRegularExpression>
 #include <QStandardPaths>
 #include <QTemporaryDir>
 #include <QTest>
@@ -201,7 +202,8 @@ void TestReportMetrics::bdRates() {
                         "<td class=\"n\">-50.00 (-50.00 … -50.00)</td>"));
 }
 
-/// The manual's way: every plot as PDF, both tables, and a picture of a view, in one document.
+/// The manual's way: every plot as PDF of the right width, both tables, and a picture of a view, in
+/// one document whose columns are those of IEEEtran, from which nothing sticks out.
 void TestReportMetrics::figuresCompileInLatex() {
   for (const char* program : {"pdflatex", "rsvg-convert"})
     if (QStandardPaths::findExecutable(program).isEmpty())
@@ -214,10 +216,16 @@ void TestReportMetrics::figuresCompileInLatex() {
   };
   QByteArray body;
   const QStringList plots = QDir("bd/plots").entryList({"*.svg"});
-  QCOMPARE(plots.size(), 8 * 5 + 4);  // of eight tests, and the curves
+  QCOMPARE(plots.size(), 2 * (8 * 5 + 4));  // of eight tests, and the curves
   for (const QString& plot : plots) {
     const QString pdf = plot.chopped(4) + ".pdf";
     QCOMPARE(call("rsvg-convert", {"-f", "pdf", "-o", pdf, "bd/plots/" + plot}).first, 0);
+    const bool isForPage = plot.endsWith("_page.svg");
+    const auto box = QRegularExpression(R"(/MediaBox \[ ?0 0 ([0-9.]+))")
+                         .match(QString::fromLatin1(contentOf(pdf)));
+    const double width = box.captured(1).toDouble() / 72 * 25.4;
+    QVERIFY2(std::abs(width - (isForPage ? 178 : 86)) < 0.1, qPrintable(plot));
+    if (isForPage) continue;
     body += "\\includegraphics{" + pdf.toUtf8() + "}\n";
   }
   body += "\\includegraphics[width=\\linewidth]{bd/views/test1_worst.png}\n";
@@ -225,13 +233,17 @@ void TestReportMetrics::figuresCompileInLatex() {
     body += QByteArray("\n\\input{bd/plots/") + table + ".tex}\n";
   QFile document("paper.tex");
   QVERIFY(document.open(QIODevice::WriteOnly));
-  document.write("\\documentclass[twocolumn]{article}\\usepackage{graphicx}\n\\begin{document}\n" +
-                 body + "\\end{document}\n");
+  document.write(
+      "\\documentclass[twocolumn]{article}\\usepackage{graphicx}\n"
+      "\\setlength{\\textwidth}{516pt}\\setlength{\\columnsep}{12pt}\n"
+      "\\setlength{\\parindent}{0pt}\n\\begin{document}\n" +
+      body + "\\end{document}\n");
   document.close();
   const auto [status, said] =
       call("pdflatex", {"-halt-on-error", "-interaction=nonstopmode", "paper.tex"});
   QVERIFY2(status == 0, said);
   QVERIFY(said.contains("Output written on paper.pdf"));
+  QVERIFY2(!said.contains("Overfull"), said);
 }
 
 void TestReportMetrics::ratesFromFileSizes() {

@@ -137,9 +137,9 @@ void TestSheetMeasures::figures() {
            QString("angularProfile crosstalk depthBehind depthFront depthOfField depthOfField10 "
                    "depthOfField50 flip lobe mtf pseudoscopic spatialResolution throughFocus "
                    "viewingCone viewingZone viewsBehind viewsFront viewsPerMetre"));
-  QCOMPARE(namesIn("out/plots").filter(".svg"),
-           (QStringList{"angular_profile.svg", "crosstalk.svg", "mtf.svg", "through_focus.svg",
-                        "viewing_zone.svg"}));
+  QCOMPARE(namesIn("out/plots").filter(".csv"),
+           (QStringList{"angular_profile.csv", "crosstalk.csv", "mtf.csv", "through_focus.csv",
+                        "viewing_zone.csv"}));
   const QByteArray page = contentOf("out/measure.html");
   QVERIFY(page.contains("40 views under a lens sheet of"));
   QVERIFY(!page.contains("hogel"));

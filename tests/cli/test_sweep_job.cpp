@@ -50,8 +50,8 @@ void TestSweepJob::writesItsFiles() {
   QCOMPARE(outcome.err, QByteArray());
   QCOMPARE(outcome.status, 0);
   QCOMPARE(namesIn("out"), (QStringList{"plots", "sweep.csv", "sweep.html"}));
-  QCOMPARE(namesIn("out/plots"),
-           (QStringList{"parallel.csv", "parallel.svg", "scatter.csv", "scatter.svg"}));
+  QCOMPARE(namesIn("out/plots"), (QStringList{"parallel.csv", "parallel.svg", "parallel_page.svg",
+                                              "scatter.csv", "scatter.svg", "scatter_page.svg"}));
   for (const char* const file : {"out/sweep.html", "out/plots/parallel.svg"}) {
     QXmlStreamReader reader(contentOf(file));
     while (!reader.atEnd()) reader.readNext();

@@ -115,7 +115,9 @@ void TestTwin::againstTheDesign() {
       !contentOf("out/report.html").contains("turned.json: all its rays are shifted equally by"));
   QVERIFY(
       contentOf("out/report.html").contains("<h1>Units as built against the design of s.json<"));
-  for (const char* name : {"units_mean_psnr_seen", "units_mean_move_rest"}) {
+  QVERIFY(contentOf("out/report.html").contains("<p>Of 3 units half have a mean PSNR of"));
+  for (const char* name : {"units_mean_psnr_seen", "units_mean_move_rest", "yield_mean_psnr_seen",
+                           "yield_mean_move_rest"}) {
     QVERIFY(QFileInfo::exists(QString("out/plots/%1.svg").arg(name)));
     QCOMPARE(tableOf(QString("out/plots/%1.csv").arg(name)).size(), 4);
   }

@@ -99,7 +99,7 @@ QString hex(double share) {
 QList<Element> figureOf(const std::vector<ReportRow>& rows, const PanelParams& display,
                         const char* ending) {
   for (const Figure& figure : cameraFigures(rows, 0, display))
-    if (figure.name == std::string("test1_") + ending) return drawingsOf(figure.svg)[0];
+    if (figure.name == std::string("test1_t_") + ending) return drawingsOf(figure.svg())[0];
   return {};
 }
 
@@ -306,14 +306,16 @@ void TestReportPlots::seriesDiffer() {
 void TestReportPlots::coincidingPointsAreLeftOut() {
   using Names = std::vector<std::string>;
   std::vector<ReportRow> rows{row("a", {0, 0, 1}, 20), row("b", {0, 0, 1}, 30)};
-  QCOMPARE(namesOf(cameraFigures(rows, 0, displayOf())), Names{"test1_states"});
+  QCOMPARE(namesOf(cameraFigures(rows, 0, displayOf())), Names{"test1_t_states"});
   rows[1].eye = {0, 0, 2};  // on one line of sight
-  QCOMPARE(namesOf(cameraFigures(rows, 0, displayOf())), Names({"test1_above", "test1_states"}));
+  QCOMPARE(namesOf(cameraFigures(rows, 0, displayOf())),
+           Names({"test1_t_above", "test1_t_states"}));
   rows[1].eye = {0, 0.1, 1};
-  QCOMPARE(namesOf(cameraFigures(rows, 0, displayOf())), Names({"test1_front", "test1_states"}));
+  QCOMPARE(namesOf(cameraFigures(rows, 0, displayOf())),
+           Names({"test1_t_front", "test1_t_states"}));
   rows[1].eye = {0.1, 0, 1};
   QCOMPARE(namesOf(cameraFigures(rows, 0, displayOf())),
-           Names({"test1_above", "test1_front", "test1_angle"}));
+           Names({"test1_t_above", "test1_t_front", "test1_t_angle"}));
   rows.pop_back();
   QVERIFY(cameraFigures(rows, 0, displayOf()).empty());
 }
@@ -321,8 +323,8 @@ void TestReportPlots::coincidingPointsAreLeftOut() {
 void TestReportPlots::nothingToPlot() {
   const std::vector<ReportRow> rows{blind("a", {0, 0, -1}), blind("b", {0.1, 0, 1})};
   const auto figures = cameraFigures(rows, 0, displayOf());
-  QCOMPARE(namesOf(figures), (std::vector<std::string>{"test1_above", "test1_front"}));
-  for (const Element& text : named(drawingsOf(figures[0].svg)[0], "text"))
+  QCOMPARE(namesOf(figures), (std::vector<std::string>{"test1_t_above", "test1_t_front"}));
+  for (const Element& text : named(drawingsOf(figures[0].svg())[0], "text"))
     QVERIFY(text.text != "dB");  // no colours without a PSNR
   QVERIFY(figures[0].csv.find("a,0,0,-1,180,\n") != std::string::npos);
 }
@@ -331,7 +333,7 @@ void TestReportPlots::namesAreEscaped() {
   const std::vector<ReportRow> rows{row("<b>&\"\x01", {0, 0, 1}, 30, "<i>&"),
                                     row("c", {0.1, 0, 1}, 30, "<i>&")};
   std::string all;
-  for (const Figure& figure : cameraFigures(rows, 0, displayOf())) all += figure.svg;
+  for (const Figure& figure : cameraFigures(rows, 0, displayOf())) all += figure.svg();
   QVERIFY(pointOf(drawingsOf(all)[0], "<b>&\"\\x01").title.contains("30.00 dB"));
   QVERIFY(all.find("<i>") == std::string::npos && all.find("<b>") == std::string::npos);
 }
@@ -353,7 +355,7 @@ void TestReportPlots::curvesFollowRates() {
   const auto figures = rateFigures(summariseTests(rows, metrics, groups), metrics, groups);
   QVERIFY(figures.size() >= 4);
   QCOMPARE(figures[0].name, std::string("rate_mean_psnr_seen"));
-  const std::string text = figures[0].svg;
+  const std::string text = figures[0].svg();
   const auto plots = drawingsOf(text);
   auto points = named(plots[0], "circle");
   QCOMPARE(points.size(), 5);  // one in the legend
@@ -391,8 +393,8 @@ void TestReportPlots::ratesOfIdenticalTests() {
   const std::vector<RateGroup> groups{{"A", {{"t.png", 1}}}, {"B", {{"t.png", 1}}}};
   const MetricSet metrics;
   for (const Figure& figure : rateFigures(summariseTests(rows, metrics, groups), metrics, groups))
-    QVERIFY(figure.svg.find("nan") == std::string::npos &&
-            figure.svg.find("inf") == std::string::npos);
+    QVERIFY(figure.svg().find("nan") == std::string::npos &&
+            figure.svg().find("inf") == std::string::npos);
 }
 
 /// Units in the order of their mean, weighted where states have weights; all tests together are
@@ -407,8 +409,8 @@ void TestReportPlots::unitsInOrder() {
     }
   const MetricSet metrics;
   const std::vector<Figure> figures = unitFigures(summariseTests(rows, metrics), metrics);
-  QCOMPARE(figures.size(), std::size_t(1));
-  QCOMPARE(figures[0].name, std::string("units_mean_psnr_seen"));
+  QCOMPARE(namesOf(figures),
+           (std::vector<std::string>{"units_mean_psnr_seen", "yield_mean_psnr_seen"}));
   const QStringList lines = QString::fromStdString(figures[0].csv).split('\n');
   QCOMPARE(lines[0], QString("unit,percent_of_units,mean_psnr_seen,low,high"));
   QCOMPARE(lines.size(), 5);
@@ -420,9 +422,27 @@ void TestReportPlots::unitsInOrder() {
     QVERIFY(std::abs(cells[2].toDouble() - (22 + 5 * k)) < 1e-6);  // (20 + 2·23)/3, …
     QVERIFY(cells[3].toDouble() < cells[2].toDouble() && cells[2] < cells[4]);
   }
-  const auto points = drawingsOf(figures[0].svg)[0];
+  const auto points = drawingsOf(figures[0].svg())[0];
   QVERIFY(pointOf(points, "u2").number("cx") < pointOf(points, "u1").number("cx"));
   QVERIFY(pointOf(points, "u2").number("cy") > pointOf(points, "u1").number("cy"));
+
+  // Three of three units have at least 22, two 27, one 32; intervals are Wilson's.
+  const QStringList yields = QString::fromStdString(figures[1].csv).split('\n');
+  QCOMPARE(yields[0], QString("limit,yield_percent,low,high"));
+  for (int k = 0; k < 3; ++k) {
+    const QStringList cells = yields[k + 1].split(',');
+    QVERIFY(std::abs(cells[0].toDouble() - (22 + 5 * k)) < 1e-6);
+    QVERIFY(std::abs(cells[1].toDouble() - 100.0 * (3 - k) / 3) < 0.01);
+    const double n = 3, z = 1.959963984540054, share = (n - k) / n;
+    const double half = z * std::sqrt(share * (1 - share) / n + z * z / (4 * n * n));
+    const double middle = share + z * z / (2 * n), whole = 1 + z * z / n;
+    QVERIFY(std::abs(cells[2].toDouble() - 100 * (middle - half) / whole) < 0.01);
+    QVERIFY(std::abs(cells[3].toDouble() - 100 * (middle + half) / whole) < 0.01);
+  }
+  QCOMPARE(
+      unitSentences(summariseTests(rows, metrics), metrics),
+      (std::vector<std::string>{"Of 3 units half have a mean PSNR of at least 27.00 dB, 95 % of "
+                                "at least 22.00 dB; the worst, u2, 22.00 dB."}));
 
   rows.resize(2);
   QVERIFY(unitFigures(summariseTests(rows, metrics), metrics).empty());

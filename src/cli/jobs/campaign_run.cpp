@@ -161,6 +161,8 @@ std::vector<Scene> openScenes(const Campaign& campaign, const CommandLine& line,
     for (const std::string& left : work.lines) printNote(scene.name + ": " + left);
     if (work.tests.empty()) continue;
     const OpenReport open = openReport(lineOf(work, campaign, line));
+    (void)tableColumns(campaign, open.request.metrics);
+    inputs.emplace_back(work.session);
     const std::vector<fs::path> files = inputsOf(open.request);
     inputs.insert(inputs.end(), files.begin(), files.end());
     scenes.push_back({&scene, open.line, factsOf(open.request, hashes, {}).key});

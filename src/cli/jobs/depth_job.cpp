@@ -15,6 +15,7 @@
 #include "io/files/folders.h"
 #include "io/files/system_limits.h"
 #include "measure/depth_budget_run.h"
+#include "page/figure.h"
 
 namespace hogelscope {
 
@@ -50,7 +51,8 @@ void printFigures(const DepthBudget& budget) {
             << percent(later.inside) << "\n";
 }
 
-/// Writes plots/NAME.svg, a histogram of the first state, and plots/NAME.csv, its bars.
+/// Writes plots/NAME.svg and NAME_page.svg, a histogram of the first state for a column and for a
+/// page, and plots/NAME.csv, its bars.
 void writePlot(const fs::path& folder, const std::string& name, const DepthFigures& figures,
                double end) {
   const DepthHistogram histogram{figures, depthBars(figures, end)};
@@ -63,8 +65,11 @@ void writePlot(const fs::path& folder, const std::string& name, const DepthFigur
     points.push_back({numberText(bars.middle(bar)),
                       numberText(depthAt(bars.middle(bar), figures.limits.distance)),
                       numberText(bars.shares[bar])});
-  writeTextFile(folder / (name + ".svg"), svgOf(paint, {640, 280}, "Depth of the content"));
-  writeTextFile(folder / (name + ".csv"), csvText(points));
+  const auto [column, page, csv] = figureEndings;
+  const std::string title = "Depth of the content";
+  writeTextFile(folder / (name + column), svgOf(paint, {columnPixels, 240}, title, columnWidth));
+  writeTextFile(folder / (name + page), svgOf(paint, {pagePixels, 280}, title, pageWidth));
+  writeTextFile(folder / (name + csv), csvText(points));
 }
 
 int runDepth(const CommandLine& line) {
@@ -95,7 +100,7 @@ int runDepth(const CommandLine& line) {
     chart.paint(painter, size);
   };
   writeTextFile(folder / "depth.png", pngOf(paint, chart.size()));
-  writeTextFile(folder / "depth.svg", svgOf(paint, chart.size(), "Depth budget"));
+  writeTextFile(folder / "depth.svg", svgOf(paint, chart.size(), "Depth budget", pageWidth));
   makeFolder(folder / "plots");
   const DepthFigures* const later =
       budget.proposal ? &budget.proposal->depths.states.front() : nullptr;

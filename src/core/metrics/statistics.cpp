@@ -8,6 +8,7 @@
 #include <random>
 #include <stdexcept>
 
+#include "core/base/bisect.h"
 #include "core/base/multiversioned.h"
 
 namespace hogelscope {
@@ -203,6 +204,21 @@ double rankCorrelation(const std::vector<double>& a, const std::vector<double>& 
     y.push_back(b[k]);
   }
   return correlation(ranksOf(x), ranksOf(y));
+}
+
+double normalQuantile(double share) {
+  const auto isBelow = [share](double x) { return 0.5 * std::erfc(-x / std::sqrt(2.0)) < share; };
+  return bisect({-40, 40}, 80, isBelow).middle();
+}
+
+Interval shareInterval(std::size_t passed, std::size_t count) {
+  if (count == 0) return {0, 1};
+  const auto n = double(count);
+  const double z = normalQuantile(0.975);
+  const double share = double(passed) / n;
+  const double middle = share + z * z / (2 * n);
+  const double half = z * std::sqrt(share * (1 - share) / n + z * z / (4 * n * n));
+  return {(middle - half) / (1 + z * z / n), (middle + half) / (1 + z * z / n)};
 }
 
 double percentile(std::vector<double> values, double percent) {

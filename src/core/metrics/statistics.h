@@ -78,6 +78,13 @@ double correlation(const std::vector<double>& a, const std::vector<double>& b);
 /// the sizes differ.
 double rankCorrelation(const std::vector<double>& a, const std::vector<double>& b);
 
+/// The inverse of the normal distribution's Φ, by bisection: Φ(x) = share.
+double normalQuantile(double share);
+
+/// Returns the 95 % interval of a share, of which so many of a sample are (Wilson, JASA 22, 1927);
+/// 0 … 1 for no sample.
+Interval shareInterval(std::size_t passed, std::size_t count);
+
 /// Returns the value below which so many percent of the values lie, interpolated linearly between
 /// their ranks as by numpy.percentile; NaN for none.
 double percentile(std::vector<double> values, double percent);

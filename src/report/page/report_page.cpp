@@ -105,9 +105,15 @@ std::string whatWasTested(const ReportPage& page) {
 std::string overUnits(const ReportPage& page) {
   const std::vector<Figure> figures = unitsOf(page);
   if (figures.empty()) return {};
-  return "<h2>Over the units</h2>\n<p>Each point is a unit's mean over the states, with its 95 % "
-         "bootstrap interval; to its left are the units with lower means. The pointer over a point "
-         "shows the unit.</p>\n" +
+  std::string text = "<h2>Over the units</h2>\n";
+  for (const std::string& sentence : unitSentences(page.summaries, page.metrics))
+    text += "<p>" + escaped(sentence) + "</p>\n";
+  return text +
+         "<p>In the distribution each point is a unit's mean over the states, with its 95 % "
+         "bootstrap interval; to its left are the units with lower means. The yield is the share "
+         "of "
+         "units within a limit, with Wilson's 95 % interval for units that were drawn alike. The "
+         "pointer over a point shows the unit.</p>\n" +
          sideBySide(figures);
 }
 
@@ -217,6 +223,7 @@ std::string html(const ReportPage& page) {
     text +=
         "<p><a href=\"page.html\">Look around</a> in all of the light fields, from any "
         "place.</p>\n";
+  text += overUnits(page);
   if (!page.summaries.empty()) {
     text += "<h2>Results</h2>\n";
     if (!rates.empty()) text += figureTag(rates.front());
@@ -228,7 +235,6 @@ std::string html(const ReportPage& page) {
         "<h2>Over time</h2>\n<p>Means over the states at each frame; flicker is the error of "
         "the change since the frame before. The pointer over a point shows its figures.</p>\n" +
         sideBySide(frames);
-  text += overUnits(page);
   if (rates.size() > 1)
     text +=
         "<h2>Quality over rate</h2>\n<p>Means over the states with 95 % bootstrap intervals. The "

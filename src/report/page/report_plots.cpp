@@ -13,6 +13,7 @@
 
 #include "core/base/text.h"
 #include "page/html.h"
+#include "report/page/test_names.h"
 
 namespace hogelscope {
 
@@ -73,9 +74,13 @@ double radiusFor(std::size_t points) {
 }
 
 constexpr double mapLeft = 62;
-constexpr double mapWidth = 228;
 constexpr double mapTop = 40;
 constexpr double scaleGap = 20;  ///< between a map and its scale of colours
+
+/// Returns the width of a map in a figure so wide, which leaves room for titles and colours.
+double mapWidthIn(double width) {
+  return width - 148;
+}
 
 struct Span {
   double low = std::numeric_limits<double>::infinity();
@@ -105,9 +110,9 @@ Span psnrSpan(const std::vector<ReportRow>& rows) {
   return {step * std::floor(range.low / step), step * std::ceil(range.high / step)};
 }
 
-std::string mark(const ViewPoint& point, const ReportRow& row, double x, double y, double radius,
+std::string mark(const ViewPoint& point, const std::string& name, double x, double y, double radius,
                  const Span& psnrs) {
-  const std::string title = "<title>" + escaped(titleOf(point, row)) + "</title>";
+  const std::string title = "<title>" + escaped(name) + "</title>";
   if (point.kind == PlotKind::none) {
     const std::string r = coordinate(radius);
     const std::string r2 = coordinate(2 * radius);
@@ -132,9 +137,10 @@ struct MapKind {
 };
 
 /// Returns axes of equal scale that contain the panel and all eyes, with an aspect ratio between
-/// 1:1 and about 2:1.
+/// 1:1 and about 2:1; the map of a page is flatter.
 std::array<Axis, 2> axesOf(const MapKind& kind, const std::vector<ViewPoint>& points,
-                           double halfWidth) {
+                           double halfWidth, double mapWidth) {
+  constexpr double highest = 400;
   Span x{-halfWidth, halfWidth};
   Span y{-kind.panelHalf, kind.panelHalf};
   for (const ViewPoint& point : points) {
@@ -144,7 +150,8 @@ std::array<Axis, 2> axesOf(const MapKind& kind, const std::vector<ViewPoint>& po
   const double margin = 0.14 * std::max(x.width(), y.width());
   x.widen(margin);
   y.widen(margin);
-  const double shape = std::clamp(y.width() / x.width(), 0.45, 1.0);
+  const double shape =
+      std::clamp(y.width() / x.width(), 0.45, std::max(0.45, std::min(1.0, highest / mapWidth)));
   const double scale = std::max(x.width() / mapWidth, y.width() / (shape * mapWidth));
   x.widen(scale * mapWidth - x.width());
   y.widen(scale * shape * mapWidth - y.width());
@@ -169,16 +176,25 @@ double angleOf(const Vec3& eye) {
   return std::atan2(eye.x, eye.z) * 180 / std::numbers::pi;
 }
 
-std::string map(const MapKind& kind, const std::vector<ReportRow>& rows,
-                const std::vector<ViewPoint>& points, double halfWidth, const Span& psnrs) {
-  const auto [across, up] = axesOf(kind, points, halfWidth);
+/// The eyes of a test on a map of this kind.
+struct EyeMap {
+  MapKind kind;
+  std::vector<ViewPoint> points;
+  std::vector<std::string> titles;  ///< of the points
+  double halfWidth = 0;             ///< of the panel
+  Span psnrs;
+};
+
+std::string svgOf(const EyeMap& map, double width) {
+  const auto& [kind, points, titles, halfWidth, psnrs] = map;
+  const auto [across, up] = axesOf(kind, points, halfWidth, mapWidthIn(width));
   const double bottom = std::max(up.from, up.to);
-  std::string text = svgStart("map", columnUnits, coordinate(bottom + 46), kind.title) +
+  std::string text = svgStart(styleFor(width), width, coordinate(bottom + 46), kind.title) +
                      svgText(mapLeft, 17, "start", kind.title) +
                      svgFrame(across, up, "x in m, to the viewer's right", kind.titleUp) +
                      panelMark(kind, across, up, halfWidth) + "<g class=\"points\">\n";
-  for (const ViewPoint& point : points)
-    text += mark(point, rows[point.row], across.at(point.eye.x), up.at(point.eye.*kind.up),
+  for (std::size_t k = 0; k < points.size(); ++k)
+    text += mark(points[k], titles[k], across.at(points[k].eye.x), up.at(points[k].eye.*kind.up),
                  radiusFor(points.size()), psnrs);
   text += "</g>";
   if (psnrs.low < psnrs.high)
@@ -213,12 +229,15 @@ std::vector<Figure> mapFigures(const std::vector<ReportRow>& rows, const std::st
   const MapKind above{"above", "Eyes from above", &Vec3::z, true, 0, "z in m, toward the viewer"};
   const MapKind front{"front", "Eyes from the front", &Vec3::y,
                       false,   display.size[1] / 2,   "y in m, up"};
+  std::vector<std::string> titles;
+  for (const ViewPoint& point : points) titles.push_back(titleOf(point, rows[point.row]));
   std::vector<Figure> figures;
-  for (const MapKind& kind : {above, front})
-    if (!coincide(points, &Vec3::x, kind.up))
-      figures.push_back({name + "_" + kind.name, kind.title, "",
-                         map(kind, rows, points, display.size[0] / 2, psnrSpan(rows)),
-                         csvOf(points, rows)});
+  for (const MapKind& kind : {above, front}) {
+    if (coincide(points, &Vec3::x, kind.up)) continue;
+    const EyeMap map{kind, points, titles, display.size[0] / 2, psnrSpan(rows)};
+    const auto draw = [map](double width) { return svgOf(map, width); };
+    figures.push_back({name + "_" + kind.name, kind.title, "", draw, csvOf(points, rows)});
+  }
   return figures;
 }
 
@@ -328,13 +347,13 @@ struct CellPlot {
   std::string unit;
 };
 
-std::string svgOf(const CellPlot& plot, const std::string& png) {
-  constexpr double most = 300;  // of the height
+std::string svgOf(const CellPlot& plot, const std::string& png, double whole) {
+  constexpr std::array highest{300.0, 400.0};  // in a column, on a page
   const double shape = std::clamp(plot.shape, 0.2, 5.0);
-  const double width = std::min(mapWidth, most / shape);
+  const double width = std::min(mapWidthIn(whole), highest[whole > columnUnits ? 1 : 0] / shape);
   const Axis across{0, double(plot.cells[0]), mapLeft, mapLeft + width};
   const Axis down{0, double(plot.cells[1]), mapTop, mapTop + shape * width};
-  std::string text = svgStart("map", columnUnits, coordinate(down.to + 46), plot.title) +
+  std::string text = svgStart(styleFor(whole), whole, coordinate(down.to + 46), plot.title) +
                      svgText(mapLeft, 17, "start", plot.title) +
                      svgFrame(across, down, plot.titleAcross, plot.titleUp) + "<image x=\"" +
                      coordinate(across.from) + "\" y=\"" + coordinate(down.from) + "\" width=\"" +
@@ -347,6 +366,12 @@ std::string svgOf(const CellPlot& plot, const std::string& png) {
   return text + "</svg>\n";
 }
 
+Figure cellFigure(const std::string& name, const CellPlot& plot, const std::string& png,
+                  const std::string& cells) {
+  return {name, plot.title, "", [plot, png](double width) { return svgOf(plot, png, width); },
+          cells};
+}
+
 }  // namespace
 
 Plot psnrPlot(const std::vector<ReportRow>& rows, const DisplayParams& display, bool isOverAngle) {
@@ -356,7 +381,7 @@ Plot psnrPlot(const std::vector<ReportRow>& rows, const DisplayParams& display, 
 std::vector<Figure> cameraFigures(const std::vector<ReportRow>& rows, std::size_t test,
                                   const DisplayParams& display) {
   const std::string tested = testsOf(rows)[test];
-  const std::string name = "test" + std::to_string(test + 1);
+  const std::string name = plotNameOf(tested, test);
   std::vector<Figure> figures = mapFigures(rows, tested, name, display);
   const std::vector<ViewPoint> points = pointsOf(rows, tested, display);
   if (points.size() < 2) return figures;
@@ -441,7 +466,7 @@ std::vector<Figure> rateFigures(const std::vector<TestSummary>& summaries, const
 
 std::vector<Figure> panelFigures(const ReportPanel& panel, std::size_t test,
                                  const PanelParams& display) {
-  const std::string name = "test" + std::to_string(test + 1) + "_";
+  const std::string name = plotNameOf(panel.test, test) + "_";
   const auto ofDirections = [&](const char* title, const std::array<double, 2>& shades,
                                 const char* unit) {
     const auto half = [](double whole) { return numberText(std::round(50 * whole) / 100); };
@@ -464,16 +489,15 @@ std::vector<Figure> panelFigures(const ReportPanel& panel, std::size_t test,
   const CellPlot directions =
       ofDirections("Error over the directions", {0, of.directionScale}, "MSE");
   std::vector<Figure> figures{
-      {name + "hogels", hogels.title, "", svgOf(hogels, panel.hogels), panel.hogelCells},
-      {name + "directions", directions.title, "", svgOf(directions, panel.directions),
-       panel.directionCells}};
+      cellFigure(name + "hogels", hogels, panel.hogels, panel.hogelCells),
+      cellFigure(name + "directions", directions, panel.directions, panel.directionCells)};
   if (panel.views.empty()) return figures;
   const CellPlot views =
       ofDirections("Error of the light field's views", {0, panel.viewScale}, "MSE");
   const CellPlot ranks =
       ofDirections("Rank by perceived error − rank by view error", {-1, 1}, "share");
-  figures.push_back({name + "views", views.title, "", svgOf(views, panel.views), panel.viewCells});
-  figures.push_back({name + "ranks", ranks.title, "", svgOf(ranks, panel.ranks), panel.viewCells});
+  figures.push_back(cellFigure(name + "views", views, panel.views, panel.viewCells));
+  figures.push_back(cellFigure(name + "ranks", ranks, panel.ranks, panel.viewCells));
   return figures;
 }
 

@@ -36,10 +36,10 @@ struct ReportPanel {
 /// series for each test. Rows are in ReportOrder; those with a problem have no point.
 Plot psnrPlot(const std::vector<ReportRow>& rows, const DisplayParams& display, bool isOverAngle);
 
-/// Returns the figures testN_above and testN_front, with the eyes in the display frame at equal
+/// Returns the figures NAME_above and NAME_front, with the eyes in the display frame at equal
 /// scale, coloured by PSNR (hollow for identical views, a cross without a comparison), and the PSNR
-/// over the angle, testN_angle, or, where all eyes have one, over the states, testN_states. Figures
-/// whose points would coincide are left out. `test` counts from 0, N from 1.
+/// over the angle, NAME_angle, or, where all eyes have one, over the states, NAME_states. Figures
+/// whose points would coincide are left out. `test` counts from 0; NAME is its plotNameOf().
 std::vector<Figure> cameraFigures(const std::vector<ReportRow>& rows, std::size_t test,
                                   const DisplayParams& display);
 
@@ -54,8 +54,8 @@ std::vector<Figure> frameFigures(const std::vector<ReportRow>& rows, const Metri
 std::vector<Figure> rateFigures(const std::vector<TestSummary>& summaries, const MetricSet& metrics,
                                 const std::vector<RateGroup>& groups);
 
-/// Returns the figures testN_hogels, testN_directions, and testN_views and testN_ranks if the
-/// panel has them.
+/// Returns the figures NAME_hogels, NAME_directions, and NAME_views and NAME_ranks if the panel has
+/// them.
 std::vector<Figure> panelFigures(const ReportPanel& panel, std::size_t test,
                                  const PanelParams& display);
 

@@ -6,6 +6,7 @@
 
 #include "core/base/text.h"
 #include "page/html.h"
+#include "page/latex_table.h"
 #include "report/page/test_names.h"
 
 namespace hogelscope {

@@ -60,4 +60,13 @@ std::vector<std::string> figureNames(const std::vector<std::string>& files) {
   return different.size() == files.size() && !different.contains("") ? names : shortNames(files);
 }
 
+std::string plotNameOf(const std::string& file, std::size_t test) {
+  constexpr std::size_t longest = 60;  // of 255 bytes of a file's name
+  std::string name = figureNames({file}).front().substr(0, longest);
+  for (char& letter : name)
+    if (std::isalnum(static_cast<unsigned char>(letter)) == 0 && letter != '-' && letter != '.')
+      letter = '_';
+  return "test" + std::to_string(test + 1) + (name.empty() ? "" : "_") + name;
+}
+
 }  // namespace hogelscope

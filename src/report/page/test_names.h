@@ -14,4 +14,9 @@ std::vector<std::string> shortNames(const std::vector<std::string>& files);
 /// shortNames().
 std::vector<std::string> figureNames(const std::vector<std::string>& files);
 
+/// Returns the beginning of the names of a test's plots, such as "test3_hevc_q22": its number, from
+/// 1, and its name with "_" for all that is not of ASCII letters, digits, "-" and ".". `test`
+/// counts from 0.
+std::string plotNameOf(const std::string& file, std::size_t test);
+
 }  // namespace hogelscope

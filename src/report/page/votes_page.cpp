@@ -8,6 +8,7 @@
 #include "core/base/text.h"
 #include "page/figure.h"
 #include "page/html.h"
+#include "page/latex_table.h"
 
 namespace hogelscope {
 
