@@ -349,7 +349,8 @@ std::string measurePage(const MeasureRequest& request, const Bench& bench,
       "<h1>" +
       std::string(bench.twin() != nullptr ? "A unit of the display of " : "The display of ") +
       escaped(request.name) + "</h1>\n" + facts(request, bench);
-  for (const std::string& line : measured.left) body += "<p>" + escaped(line) + ".</p>\n";
+  for (const std::string& line : measured.left)
+    body += "<p>Not measured, " + escaped(line) + ".</p>\n";
   body += agreementText(measured.figures) + tableOf(measured.figures);
   for (const Figure& plot : plotsOf(bench, measured.figures))
     body += "<h2>" + plot.title + "</h2>\n" + figureTag(plot);

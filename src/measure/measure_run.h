@@ -36,7 +36,7 @@ struct Measured {
   std::vector<MeasuredFigure> figures;
   std::size_t taken = 0;          ///< figures of an earlier run
   bool replacedAnother = false;   ///< the journal of another run
-  std::vector<std::string> left;  ///< sentences on figures that a unit does not have
+  std::vector<std::string> left;  ///< of keepThoseOfUnit()
 };
 
 /// Returns the display of a session; a lens sheet's directions are the views of its quilt. The

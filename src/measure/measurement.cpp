@@ -87,8 +87,7 @@ std::vector<std::string> keepThoseOfUnit(std::vector<Measurement>& all, const Tw
     return !why.empty();
   });
   std::vector<std::string> lines;
-  for (const auto& [why, figures] : left)
-    lines.push_back("not measured, since " + why + ": " + figures);
+  for (const auto& [why, figures] : left) lines.push_back("since " + why + ": " + figures);
   return lines;
 }
 

@@ -65,8 +65,8 @@ const FigureRow& figureRow(std::string_view name);
 /// a diameter for what needs one and whose state has none, metres.
 std::vector<Measurement> allMeasurements(const Bench& bench, double ipd, double pupil);
 
-/// Keeps the measurements that a unit with this twin has (whyNotOfUnit()). Returns a sentence for
-/// each reason why others are left out.
+/// Keeps the measurements that a unit with this twin has (whyNotOfUnit()). Returns for each
+/// reason why others are left out "since …: FIGURES".
 std::vector<std::string> keepThoseOfUnit(std::vector<Measurement>& all, const TwinParams& twin);
 
 /// The groups that allMeasurements() joins: those of hogels, those of lens sheets, gratings on

@@ -111,6 +111,7 @@ double endOf(double from, double step, double farthest, const IsIn& isIn) {
 void addZone(const Bench& bench, std::vector<Measurement>& all) {
   const double distance = bench.distance();
   const bool hasForm = bench.display().lens == HogelLensModel::rectilinear;
+  // None along an axis if the eye on it does not see all of the panel along the other one.
   for (const std::size_t axis : {0, 1})
     all.push_back({"viewingZone", "m", "whole panel " + axisName(axis) + " z=" + metres(distance),
                    [axis](Bench& b) {
@@ -122,7 +123,9 @@ void addZone(const Bench& bench, std::vector<Measurement>& all) {
                      return endOf(0, step, 1000 * b.distance(), isIn) -
                             endOf(0, -step, 1000 * b.distance(), isIn);
                    },
-                   hasForm ? std::max(2 * halfZone(bench, distance, axis), 0.0) : noValue});
+                   !hasForm                                  ? noValue
+                   : halfZone(bench, distance, 1 - axis) > 0 ? 2 * halfZone(bench, distance, axis)
+                                                             : 0});
   all.push_back({"viewingZone", "m", "whole panel from z",
                  [](Bench& b) {
                    const auto isIn = [&](double z) { return shareSeen(b, {0, 0, z}) == 1; };

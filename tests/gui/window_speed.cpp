@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // No test: says when, after the process was made, the window and its first picture are there, and
-// what an edit, a turn of the scene and the drag of a mesh cost.
+// what an edit, a turn of the scene, the drag of a mesh and playing frames cost.
 // window_speed FILE [WIDTHxHEIGHT]
 #include <vtkCallbackCommand.h>
 #include <vtkGenericOpenGLRenderWindow.h>
@@ -95,6 +95,22 @@ void sayPicturesOfDrag(QDoubleSpinBox& position, const ImageWidget& view) {
               pictures / (seconds(CLOCK_MONOTONIC) - start));
 }
 
+/// How many pictures are shown in a second while frames play that have been read before.
+void sayPicturesOfPlay(QAction& play, const ImageWidget& view) {
+  play.trigger();
+  QTest::qWait(10000);  // all frames are read
+  int pictures = 0;
+  const auto counting =
+      QObject::connect(&view, &ImageWidget::imagesChanged, [&pictures] { ++pictures; });
+  const double start = seconds(CLOCK_MONOTONIC), cpu = seconds(CLOCK_PROCESS_CPUTIME_ID);
+  QTest::qWait(5000);
+  QObject::disconnect(counting);
+  const double passed = seconds(CLOCK_MONOTONIC) - start;
+  std::printf("%-28s %5.1f pictures/s, %5.1f ms of CPU each\n", "frames that play",
+              pictures / passed, 1000 * (seconds(CLOCK_PROCESS_CPUTIME_ID) - cpu) / pictures);
+  play.trigger();
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -129,6 +145,8 @@ int main(int argc, char** argv) {
       [](vtkObject*, unsigned long, void* client, void*) { ++*static_cast<int*>(client); });
   sceneWidget->renderWindow()->AddObserver(vtkCommand::EndEvent, count);
 
+  if (auto* play = window.findChild<QAction*>("playFramesAction"); play->isEnabled())
+    sayPicturesOfPlay(*play, *view);
   auto* sigma = window.findChild<QWidget*>("psfArea")->findChild<QDoubleSpinBox*>("sigma");
   sayCost("edit of the PSF", [&](int k) {
     const qint64 before = view->image().cacheKey();

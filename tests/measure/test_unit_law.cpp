@@ -128,12 +128,12 @@ class TestUnitLaw : public QObject {
   void othersAreNamed() {
     TwinParams twin = unitOf("gap");
     QCOMPARE(leftOut(twin),
-             std::string("not measured, since no formula is of a unit: qualifiedViewingSpace, "
+             std::string("since no formula is of a unit: qualifiedViewingSpace, "
                          "crosstalk, crosstalkMatrix, angularProfile, angularResolution, "
                          "depthFront, depthBehind, diffraction\n"));
     twin.light.falloff = 2;
     const std::string lines = leftOut(twin);
-    QVERIFY2(lines.ends_with("not measured, since no formula knows twin.light.falloff: uniformity, "
+    QVERIFY2(lines.ends_with("since no formula knows twin.light.falloff: uniformity, "
                              "contrast, spatialResolution, mtf, depthOfField, depthOfField50, "
                              "depthOfField10, throughFocus\n"),
              lines.c_str());

@@ -44,7 +44,7 @@ int runMeasure(const CommandLine& line) {
   const std::filesystem::path folder = request.output;
   const FilesInUse inUse(filesOf(request.session));
   checkResults(line, request.session, {folder / "measure.csv", folder / "measure.html"});
-  const auto warn = [&](const char* text) {
+  const auto warn = [&](const std::string& text) {
     if (!isQuiet) printNote(request.name + ": warning: " + text);
   };
   if (request.session.lightField.calibration)
@@ -53,7 +53,7 @@ int runMeasure(const CommandLine& line) {
   const Measured measured = measure(request, bar.progress());
   bar.done();
   if (!finish(line, request.session)) return 0;
-  for (const std::string& left : measured.left) warn(left.c_str());
+  for (const std::string& left : measured.left) warn("not measured, " + left);
   printFound(folder, measured.replacedAnother, measured.taken, "figures");
   if (printShard(request.shard, "figures", "page")) return 0;
   const auto failed = std::ranges::find_if(
