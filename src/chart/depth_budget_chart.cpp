@@ -104,11 +104,12 @@ double cutOf(std::vector<double> shares) {
   return high > 0 && shares.back() > 1.3 * high ? high : shares.back();
 }
 
-void paintBars(QPainter& painter, const DepthAxes& axes, const DepthHistogram& depths,
-               const ChartColours& colours) {
+/// Returns the place of the note on bars that are cut off; empty if there are none.
+QRectF paintBars(QPainter& painter, const DepthAxes& axes, const DepthHistogram& depths,
+                 const ChartColours& colours) {
   const DepthBars& bars = depths.bars;
   const double most = cutOf(bars.shares);
-  if (!(most > 0)) return;
+  if (!(most > 0)) return {};
   const double limit = depths.figures.limits.both();
   double cutShare = 0;
   double leftmost = 0;
@@ -125,15 +126,17 @@ void paintBars(QPainter& painter, const DepthAxes& axes, const DepthHistogram& d
     if (cutCount++ == 0) leftmost = left;
     cutShare += bars.shares[bar];
   }
-  if (cutCount == 0) return;
+  if (cutCount == 0) return {};
   painter.setPen(colours.text2);
   const QString note =
       percent(cutShare) + (cutCount == 1 ? " in 1 bar, cut off"
                                          : " in " + QString::number(cutCount) + " bars, cut off");
   const double width = painter.fontMetrics().horizontalAdvance(note);
-  painter.drawText(QPointF(std::clamp(leftmost, axes.area.left(), axes.area.right() - width),
-                           axes.area.bottom() - 0.78 * axes.area.height() - 4),
-                   note);
+  const QPointF place(std::clamp(leftmost, axes.area.left(), axes.area.right() - width),
+                      axes.area.bottom() - 0.78 * axes.area.height() - 4);
+  painter.drawText(place, note);
+  const QFontMetrics metrics = painter.fontMetrics();
+  return {place.x() - 2, place.y() - metrics.ascent(), width + 4, double(metrics.height())};
 }
 
 /// Returns the smallest rectangle with all pixels that see the display.
@@ -158,12 +161,16 @@ void paintDepths(QPainter& painter, const QRectF& area, const DepthHistogram& de
   };
   span(std::max(limits.display, limits.comfort), over(colours, good, 0.11));
   span(limits.both(), over(colours, good, 0.25));
-  paintBars(painter, axes, depths, colours);
+  const QRectF note = paintBars(painter, axes, depths, colours);
   painter.setPen(colours.text);
   painter.drawLine(axes.area.bottomLeft(), axes.area.bottomRight());
-  painter.drawLine(QPointF(axes.x(0), axes.area.top()), QPointF(axes.x(0), axes.area.bottom()));
+  const double panel = axes.x(0);
+  const bool isCrossed = note.left() < panel && panel < note.right();
+  painter.drawLine(QPointF(panel, axes.area.top()),
+                   QPointF(panel, isCrossed ? note.top() : axes.area.bottom()));
+  if (isCrossed) painter.drawLine(QPointF(panel, note.bottom()), {panel, axes.area.bottom()});
   painter.setRenderHint(QPainter::Antialiasing, true);
-  painter.drawText(QRectF(axes.area.topLeft(), QPointF(axes.x(0) - 5, axes.area.top() + 16)),
+  painter.drawText(QRectF(axes.area.topLeft(), QPointF(panel - 5, axes.area.top() + 16)),
                    Qt::AlignRight, "panel");
   painter.setPen(over(colours, good, 0.8));
   const auto name = [&](double limit, int line, const QString& text) {
