@@ -116,12 +116,15 @@ double likenessOf(const fs::path& a, const fs::path& b, const Progress& progress
   return correlation(pictures[0], pictures[1]);
 }
 
-/// Returns the correlation of two pictures' values on a grid of points; NaN if one is even.
+/// Returns the correlation of two pictures' values on a grid of points; NaN if one is even, or too
+/// large to be read for a guess.
 double likenessOfPictures(const fs::path& a, const fs::path& b, const Progress& progress) {
   std::vector<std::vector<double>> pictures;
   std::vector<std::array<std::size_t, 2>> sizes;
   for (const fs::path& path : {a, b}) {
     ImageFile file(path);
+    constexpr double mostPixels = 1e8;  // a few seconds
+    if (double(file.width()) * double(file.height()) > mostPixels) return unknownFigure;
     sizes.push_back({file.width(), file.height()});
     constexpr std::size_t points = 512;  // along an axis
     const std::size_t step = std::max(file.width(), file.height()) / points + 1;
