@@ -32,6 +32,11 @@ PanelParams withViews(PanelParams display, const Session& session) {
   return display;
 }
 
+/// Returns the twin that is measured: no formula is of a lens sheet's.
+TwinParams unitToMeasure(const Session& session) {
+  return session.display.sheet ? TwinParams{} : session.twin;
+}
+
 /// The text that identifies a run: what its figures depend on.
 std::string keyOf(const MeasureRequest& request, const std::vector<std::filesystem::path>& files,
                   const Progress& progress) {
@@ -40,7 +45,7 @@ std::string keyOf(const MeasureRequest& request, const std::vector<std::filesyst
   shown.lightField.viewingDistance = request.display.viewingDistance;
   shown.depth = request.session.depth;
   shown.cameras = {request.session.cameras.front()};
-  shown.twin = request.session.twin;
+  shown.twin = unitToMeasure(request.session);
   return "measure " + std::string(programVersion()) + " " + contentHash(textOf(shown)) +
          (files.empty() ? "" : " " + contentHash(files, progress));
 }
@@ -72,8 +77,9 @@ std::vector<Measurement> measurementsOf(const Session& session, const Bench& ben
 }
 
 Measured measure(const MeasureRequest& request, const Progress& progress) {
-  const Bench bench = benchOf(request.session, request.display,
-                              twinOf(request.session.twin, request.display, nullptr, progress));
+  const TwinParams unit = unitToMeasure(request.session);
+  const Bench bench =
+      benchOf(request.session, request.display, twinOf(unit, request.display, nullptr, progress));
   const std::vector<std::filesystem::path> files = sessionFiles(request.session);
   const FilesInUse inUse(files);
   std::vector<Measurement> all = measurementsOf(request.session, bench);

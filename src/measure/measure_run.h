@@ -51,9 +51,9 @@ Bench benchOf(const Session& session, const PanelParams& display,
 /// Returns all figures of the session, not measured yet.
 std::vector<Measurement> measurementsOf(const Session& session, const Bench& bench);
 
-/// Measures the display, or with the session's twin the unit, and writes measure.csv, measure.html
-/// and plots/NAME.svg and .csv; for a shard only its part of the figures. After a stop the same
-/// request goes on where it was. Throws InputError, Cancelled.
+/// Measures the display, or with a twin the unit (of a lens sheet the design), and writes
+/// measure.csv, measure.html and plots/NAME.svg and .csv; for a shard only its part of the figures.
+/// After a stop the same request goes on where it was. Throws InputError, Cancelled.
 Measured measure(const MeasureRequest& request, const Progress& progress);
 
 /// Returns "measure.csv".

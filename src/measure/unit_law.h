@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What closed forms know of a display as it was built: the errors that change a figure by a
+// This is what closed forms know of a display as it was built: the errors that change a figure by a
 // formula (docs/formulas.md, Measures of a unit). A unit's figures are those whose formula knows
 // all of its errors; the others are named.
 #pragma once

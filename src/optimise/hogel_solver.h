@@ -11,7 +11,7 @@
 
 namespace hogelscope {
 
-/// What texels should look like under one leakage: f = Σ W_k ((L x)_k − t_k)².
+/// Says what texels should look like under one leakage: f = Σ W_k ((L x)_k − t_k)².
 struct HogelTerm {
   const HogelLeakage* leakage = nullptr;
   HogelLeakage::Plane weights;  ///< W ≥ 0

@@ -29,7 +29,7 @@ struct MapPlot {
   std::array<double, 2> shades{0, 1};  ///< the ends of the colours
   std::vector<double> contours;        ///< lines of these values are drawn
   std::vector<Line> lines;
-  /// Of the horizontal axis, the most important first; linear ones by default.
+  /// They are those of the horizontal axis, the most important first; linear ones by default.
   std::vector<Tick> ticks;
 
   [[nodiscard]] int rows() const { return columns > 0 ? int(values.size()) / columns : 0; }

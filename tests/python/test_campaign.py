@@ -12,7 +12,7 @@ import tempfile
 import unittest
 
 import numpy as np
-from support import PROGRAM, FolderTest, read, refusal
+from support import PROGRAM, FolderTest, program, read, refusal
 
 import hogelscope as hs
 
@@ -376,6 +376,15 @@ class Runs(CampaignTest):
         done = refusal("--report", "--campaign", file, "--output", self.path("mixed"))
         self.assertIn("some have frames and some are stills", done)
 
+    def test_chosen_columns(self):
+        """The table of means has the columns that are named, in their order."""
+        document = self.document(tables={"columns": ["mean_ssim_seen", "scenes"]})
+        program("--report", "--campaign", self.write("c.json", document), "--output",
+                self.path("chosen"), "--quiet")
+        tex = read(self.path("chosen", "plots", "campaign.tex"), mode="r")
+        heads = tex[tex.rindex("\\hline\ntest"):].split("\n")[1]
+        self.assertEqual(heads, "test & mean SSIM & scenes \\\\")
+
     def test_refusals(self):
         def line(document, *more):
             file = self.write("c.json", document)
@@ -396,6 +405,13 @@ class Runs(CampaignTest):
         self.assertIn("tests[0].p: is not in the file", line(test(p=[1])))
         self.assertIn('two have the name "x"', line(test(name="x")))
         self.assertIn("did you mean", line(self.document(metrcs=[])))
+        for tables, words in ((5, "tables: is not an object"),
+                              ({"columns": "mse"}, "tables.columns: is not a list of names"),
+                              ({"columns": [5]}, "tables.columns: is not a list of names"),
+                              ({"rows": []}, "tables.rows"),
+                              ({"columns": ["mean_of"]}, 'tables.columns: "mean_of" is none of '
+                                                         "scenes, mean_psnr")):
+            self.assertIn(words, line(self.document(tables=tables)))
         without = {"scenes": {"shop": "none.json"}, "tests": self.document()["tests"]}
         self.assertIn(self.path("none.json") + ": cannot be read", line(without))
         self.assertIn("scenes.a: is neither a session's file", line(self.document(scenes={"a": 5})))

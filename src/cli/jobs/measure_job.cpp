@@ -47,6 +47,8 @@ int runMeasure(const CommandLine& line) {
   const auto warn = [&](const std::string& text) {
     if (!isQuiet) printNote(request.name + ": warning: " + text);
   };
+  if (request.session.display.sheet && !request.session.twin.isZero())
+    warn("a lens sheet is measured as designed, without its twin");
   if (request.session.lightField.calibration)
     warn("the panel is woven for the lens sheet itself, not for lightField.calibration");
   ProgressBar bar("measuring", isQuiet);
