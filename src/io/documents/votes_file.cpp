@@ -15,14 +15,14 @@ constexpr const char* votesVersion = "hogelscope votes";
 constexpr std::size_t mostTrials = 100000;
 constexpr double mostNumber = 1e9;  // milliseconds are 11 days
 
-const Json& listOf(const Json* list, const std::string& path, const char* what) {
+void requireList(const Json* list, const std::string& path, const char* what) {
   if (list == nullptr || !list->is_array()) throw InputError(path, std::string("is not ") + what);
-  return *list;
 }
 
 std::array<std::string, 2> readShown(const Json* shown, const std::string& path) {
   constexpr const char* what = "a list of two names";
-  const Json& list = listOf(shown, path, what);
+  requireList(shown, path, what);
+  const Json& list = *shown;
   if (list.size() != 2 || !list[0].is_string() || !list[1].is_string() || list[0] == list[1])
     throw InputError(path, std::string("is not ") + what);
   return {list[0].get<std::string>(), list[1].get<std::string>()};
@@ -47,7 +47,7 @@ VotesTrial readTrial(const Json& object, const std::string& path) {
   describe(reader, trial);
   trial.shown = readShown(reader.section("shown"), reader.pathOf("shown"));
   if (const Json* points = reader.section("path"); points != nullptr) {
-    listOf(points, reader.pathOf("path"), "a list of points");
+    requireList(points, reader.pathOf("path"), "a list of points");
     for (std::size_t k = 0; k < points->size(); ++k)
       trial.path.push_back(
           readPoint((*points)[k], reader.pathOf("path") + "[" + std::to_string(k) + "]"));
@@ -101,7 +101,9 @@ VotesFile parseVotes(const std::string& text) {
   if (*version != 1) throw InputError(votesVersion, valueText(*version) + " is not 1");
   describe(reader, votes.head);
   readSection(reader, "screen", votes.screen);
-  const Json& trials = listOf(reader.section("trials"), "trials", "a list of answers");
+  const Json* const found = reader.section("trials");
+  requireList(found, "trials", "a list of answers");
+  const Json& trials = *found;
   reader.refuseUnknown();
   auto& [head, screen, read] = votes;
   if (head.viewer.empty()) throw InputError("viewer", "is missing or empty");
