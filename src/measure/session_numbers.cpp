@@ -18,7 +18,8 @@ class NumberVisitor : public ParameterVisitor {
   void visit(Session& session, std::size_t state) {
     TwinParams& twin = session.twin;
     all(session.display, twin.lensArray, twin.colour, twin.leakage, twin.light, twin.random,
-        twin.random.shift, twin.random.gain, session.lightField, session.sampling, session.depth);
+        twin.random.shift, twin.random.gain, session.lightField, session.sampling, session.depth,
+        session.optimise);
     CameraState& own = session.cameras.at(state);
     all(own.camera, own.intrinsics, own.pupil, own.stereo, own.distortion, own.psf);
     m_within = "lightField.";

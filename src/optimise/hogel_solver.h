@@ -28,6 +28,7 @@ struct HogelSolution {
   double before = 0;  ///< f of the start
   double after = 0;   ///< f of the content
   double bound = 0;   ///< f of no content with values 0 … `most` is less
+  double weight = 0;  ///< Σ W of all terms
   int iterations = 0;
 };
 
@@ -43,6 +44,9 @@ class HogelSolver {
                       const SolverLimits& limits, HogelLeakage::Plane& x);
 
  private:
+  void addBack(const HogelTerm& term, HogelLeakage::Plane& sum);
+  void setGradient(const std::vector<HogelTerm>& terms, const HogelLeakage::Plane& x);
+  double setSteps(const std::vector<HogelTerm>& terms);
   double errorAt(const std::vector<HogelTerm>& terms, const HogelLeakage::Plane& x);
   double boundAt(const std::vector<HogelTerm>& terms, const HogelLeakage::Plane& most,
                  const HogelLeakage::Plane& x);

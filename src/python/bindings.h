@@ -18,6 +18,7 @@ void addLightFields(pybind11::module_& module);
 void addViews(pybind11::module_& module);
 void addFigures(pybind11::module_& module);
 void addMeasures(pybind11::module_& module);
+void addOptimised(pybind11::module_& module);
 void addReports(pybind11::module_& module);
 void addCampaigns(pybind11::module_& module);
 void addPages(pybind11::module_& module);

@@ -26,6 +26,7 @@ PYBIND11_MODULE(_hogelscope, module) {
   addViews(module);
   addFigures(module);
   addMeasures(module);
+  addOptimised(module);
   addReports(module);
   addCampaigns(module);
   addPages(module);

@@ -44,8 +44,9 @@ struct ViewRenderers {
 namespace {
 
 Session withoutStates(const Session& session) {
-  return {session.display,  session.twin,  session.twinFile, session.lightField,
-          session.sampling, session.depth, session.metrics,  {}};
+  return {session.display,    session.twin,     session.twinFile,
+          session.lightField, session.sampling, session.depth,
+          session.optimise,   session.metrics,  {}};
 }
 
 std::shared_ptr<const OpenScene> openScene(const Session& session,

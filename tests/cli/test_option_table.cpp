@@ -54,10 +54,10 @@ QStringList given(const Flag& flag) {
 
 /// The job with what it needs.
 QStringList smallest(const Job& job) {
-  static const QMap<QString, QString> values{{"make-cameras", "random"}, {"generate", "edge"},
-                                             {"pack", "q_qs5x3a1.png"},  {"export", "hogels"},
-                                             {"info", "s.json"},         {"status", "out"},
-                                             {"sweep", "table.json"},    {"votes", "v.json"}};
+  static const QMap<QString, QString> values{
+      {"make-cameras", "random"}, {"generate", "edge"},    {"pack", "q_qs5x3a1.png"},
+      {"export", "hogels"},       {"optimise", "hogels"},  {"info", "s.json"},
+      {"status", "out"},          {"sweep", "table.json"}, {"votes", "v.json"}};
   QStringList arguments{dashed(job.name)};
   if (!job.value.empty()) arguments << values.value(text(job.name));
   for (const Flag& flag : allFlags())

@@ -35,12 +35,15 @@
 #include "core/engine/scaled_view.h"
 #include "gui/docks/plot_saver.h"
 #include "gui/docks/tradeoff_widget.h"
+#include "gui/files/content_optimiser.h"
 #include "gui/files/light_field_output.h"
 #include "gui/scene/scene_output.h"
+#include "gui/view/comparison.h"
 #include "gui/view/image_widget.h"
 #include "gui/view/view_output.h"
 #include "gui/widgets/task_widgets.h"
 #include "io/opening/session_around.h"
+#include "optimise/optimise_run.h"
 #include "tests/core/rendered.h"
 #include "tests/gui/scene_test.h"
 #include "tests/gui/shown_image.h"
@@ -137,6 +140,7 @@ class TestOutput : public SceneTest {
   void otherPaths();
   void lightFields();
   void lightFieldsForAUnit();
+  void lightFieldsAreOptimised();
   void lightFieldsAreAskedFor();
   void pagesAreShared();
   void theDialogSaysWhatIsWrong();
@@ -705,6 +709,37 @@ void TestOutput::lightFieldsForAUnit() {
   const auto content = contentToExport(built, ExportLayout::hogels, true);
   exportAs(ExportLayout::hogels, built, *content, path("out/own.png").toStdString(), {});
   QCOMPARE(contentsOf(path("out/unit.png")), contentsOf(path("out/own.png")));
+}
+
+/// The file is that of batch mode, and is compared with the session's own light field.
+void TestOutput::lightFieldsAreOptimised() {
+  CameraState state = m_model->current();
+  state.psf = {0.67, 5};
+  m_model->setCurrent(state);
+  const Answers answers(
+      [](QDialog* dialog) {
+        auto* layouts = dialog->findChild<QComboBox*>("optimiseLayoutBox");
+        QVERIFY(layouts != nullptr);
+        QCOMPARE(layouts->count(), 3);
+      },
+      path("out/optimised.png"));
+  QSignalSpy done(m_window->findChild<ContentOptimiser*>(), &ContentOptimiser::done);
+  child<QPushButton>("optimiseButton")->click();
+  QTRY_COMPARE_WITH_TIMEOUT(done.size(), 1, patience);
+  QCOMPARE(answers.proposed, QString("optimised.png"));
+  const QString line = done[0][0].toString();
+  QVERIFY2(line.contains("held-out eyes") && line.contains("optimised.html"), qPrintable(line));
+  const OptimiseRequest request{"own",
+                                m_model->session(),
+                                ExportLayout::hogels,
+                                path("out/own_optimised.png").toStdString(),
+                                {}};
+  const auto content = optimisedContent(request.session, {});
+  QVERIFY(optimise(request, *content, {}).has_value());
+  QCOMPARE(contentsOf(path("out/optimised.png")), contentsOf(path("out/own_optimised.png")));
+  auto* comparison = m_window->findChild<Comparison*>();
+  QTRY_VERIFY_WITH_TIMEOUT(!comparison->isReading(), patience);
+  QVERIFY2(comparison->name().contains("optimised"), qPrintable(comparison->name()));
 }
 
 void TestOutput::lightFieldsAreAskedFor() {

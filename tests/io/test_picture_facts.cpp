@@ -28,7 +28,7 @@ int storedCode(std::size_t page, int x, int y, int c) {
   return int(page) * 31 % 97 + (x * 5 + y * 3 + c * 40) % 150;
 }
 
-float storedValue(std::size_t page, int x, int y, int c) {
+float wantedValue(std::size_t page, int x, int y, int c) {
   return float(storedCode(page, x, y, c)) / 255;
 }
 
@@ -123,7 +123,7 @@ void addChunk(const char* file, const QByteArray& chunk, bool isAtEnd) {
 }
 
 void writePlain(const char* file, int w = width, int h = height) {
-  writeImageFile(QString(file), w, h, [](int x, int y, int c) { return storedValue(0, x, y, c); },
+  writeImageFile(QString(file), w, h, [](int x, int y, int c) { return wantedValue(0, x, y, c); },
                  {});
 }
 
@@ -156,14 +156,14 @@ class TestPictureFacts : public QObject {
     const int w = isTurned ? height : width, h = isTurned ? width : height;
     if (file.endsWith("png"))  // OpenImageIO may write a chunk eXIf of its own
       writeImageFile(QString(file), width, height,
-                     [](int x, int y, int c) { return storedValue(0, x, y, c); });
+                     [](int x, int y, int c) { return wantedValue(0, x, y, c); });
     else
       writePages(QString(file),
                  {{.width = width,
                    .height = height,
                    .orientation = file.endsWith("tif") || file.endsWith("jpg") ? orientation : 1,
                    .tile = tile}},
-                 storedValue);
+                 wantedValue);
     if (file.endsWith("png")) addChunk(file, pngChunk("eXIf", exifOf(orientation)), file[0] == 'l');
     if (file.endsWith("webp")) wrapWebp(file, exifOf(orientation));
     const std::vector<unsigned char> stored = valuesOf<unsigned char>(file);  // WebP is lossy
@@ -212,7 +212,7 @@ class TestPictureFacts : public QObject {
                    .display = {display.begin(), display.end()},
                    .tile = tile,
                    .type = PictureType::Float}},
-                 storedValue);
+                 wantedValue);
       const auto expected = [&](int x, int y, int c) {
         const int column = x + display[0] - data[0], row = y + display[1] - data[1];
         const bool isStored = column >= 0 && column < data[2] && row >= 0 && row < data[3];
@@ -228,7 +228,7 @@ class TestPictureFacts : public QObject {
     writePages(
         "a.exr",
         {{.width = 2, .height = 2, .display = {0, 0, 2000000, 2000000}, .type = PictureType::Half}},
-        storedValue);
+        wantedValue);
     QCOMPARE(errorOf("a.exr"),
              std::string("a.exr: is damaged: its display window is 2000000×2000000 px"));
   }
@@ -295,7 +295,7 @@ class TestPictureFacts : public QObject {
       pages.push_back(page);
     }
     // Of a channel's name, since the reader has channels in another order than the writer.
-    writePages("a.exr", pages, storedValue);
+    writePages("a.exr", pages, wantedValue);
     if (channels.isEmpty()) {
       QVERIFY2(errorOf("a.exr").ends_with(line.toStdString()), errorOf("a.exr").c_str());
       return;
@@ -329,7 +329,7 @@ class TestPictureFacts : public QObject {
     QFETCH(const int, rows);
     std::vector<PicturePage> pages(std::size_t(other), {.width = 7, .height = 5});
     pages.resize(std::size_t(count + other), {.width = width, .height = height, .tile = tile});
-    writePages("a.tif", pages, storedValue);
+    writePages("a.tif", pages, wantedValue);
     const LightFieldParams params = lightFieldOf("a.tif");
     QCOMPARE(params.layout, Layout::views);
     const auto file = openLightField(params, {});
@@ -345,12 +345,12 @@ class TestPictureFacts : public QObject {
 
   /// Levels of a pyramid are no views; one page is a picture.
   void singlePages() {
-    writePages("a.tif", {{.width = 30, .height = 20}, {.width = 15, .height = 10}}, storedValue);
+    writePages("a.tif", {{.width = 30, .height = 20}, {.width = 15, .height = 10}}, wantedValue);
     QCOMPARE(lightFieldOf("a.tif").layout, Layout::hogels);
     QVERIFY(notesOf("a.tif").starts_with("has 2 pages, of which one is read"));
-    writePages("b.tif", {{.width = 30, .height = 20}}, storedValue);
+    writePages("b.tif", {{.width = 30, .height = 20}}, wantedValue);
     QCOMPARE(notesOf("b.tif"), std::string());
-    writePages("c.tif", {{.width = 30, .height = 20}, {.width = 30, .height = 20}}, storedValue);
+    writePages("c.tif", {{.width = 30, .height = 20}, {.width = 30, .height = 20}}, wantedValue);
     QCOMPARE(notesOf("c.tif"),
              std::string(
                  "has 2 pictures, of which one is read; the file by itself, as layout \"views\", "
@@ -376,7 +376,7 @@ class TestPictureFacts : public QObject {
     QFETCH(const bool, areColoursFirst);
     std::vector<PicturePage> pages(12, {.width = 9, .height = 7, .channels = {"Y"}});
     pages[0].description = description.toStdString();
-    writePages("a.tif", pages, storedValue);
+    writePages("a.tif", pages, wantedValue);
     const auto file = openLightField(lightFieldOf("a.tif"), {});
     QVERIFY((file->size() == LightFieldSize{9, 7, 2, 2}));
     const auto expected = [&](const TexelIndex& at) {
@@ -394,9 +394,9 @@ class TestPictureFacts : public QObject {
   }
 
   void furtherPictures() {
-    writePages("a.gif", {{.width = 30, .height = 20}, {.width = 30, .height = 20}}, storedValue);
+    writePages("a.gif", {{.width = 30, .height = 20}, {.width = 30, .height = 20}}, wantedValue);
     QVERIFY(notesOf("a.gif").starts_with("is an animation and has more pictures"));
-    writePages("b.gif", {{.width = 30, .height = 20}}, storedValue);
+    writePages("b.gif", {{.width = 30, .height = 20}}, wantedValue);
     QCOMPARE(notesOf("b.gif"), std::string());
     QCOMPARE(errorOf("b.gif"), std::string());
     writePlain("a.png");
@@ -413,7 +413,7 @@ class TestPictureFacts : public QObject {
     writeFile("stack.tif", {});
     writePages("stack.tif",
                {{.width = 9, .height = 7, .description = "ImageJ=1.53\nimages=25\nslices=25\n"}},
-               storedValue);
+               wantedValue);
     QVERIFY(
         notesOf("stack.tif").starts_with("says that it has 25 images, of which 1 can be found"));
   }
@@ -423,7 +423,7 @@ class TestPictureFacts : public QObject {
     for (const float white : {1.0F, 255.0F}) {
       writePages("a.exr", {{.width = 30, .height = 20, .type = PictureType::Float}},
                  [&](std::size_t page, int x, int y, int c) {
-                   return 0.1F + white * storedValue(page, x, y, c);
+                   return 0.1F + white * wantedValue(page, x, y, c);
                  });
       QCOMPARE(notesOf("a.exr").empty(), white == 1);
     }
@@ -440,7 +440,7 @@ class TestPictureFacts : public QObject {
                    .display = {0, 0, 30, 20},
                    .channels = {"R", "G", "B", "Z"},
                    .type = PictureType::Half}},
-                 storedValue);
+                 wantedValue);
     const auto file = openLightField(lightFieldOf("views"), {});
     QVERIFY((file->size() == LightFieldSize{30, 20, 2, 1}));
     QCOMPARE(file->warnings(),
@@ -450,7 +450,7 @@ class TestPictureFacts : public QObject {
     const std::vector<std::string> examined = examine(lightFieldOf("views"), {});
     QCOMPARE(std::ranges::count(examined, file->warnings()[0]), 1);
     writePages("a.exr", {{.width = 30, .height = 20, .channels = {"R", "G", "B", "Z"}}},
-               storedValue);
+               wantedValue);
     PanelParams display;
     display.hogels = {3, 2};
     display.directions = {10, 10};

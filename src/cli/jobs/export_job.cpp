@@ -22,6 +22,7 @@
 #include "io/opening/session_around.h"
 #include "io/scene/light_field_export.h"
 #include "io/scene/view_source.h"
+#include "optimise/judged_eyes.h"
 #include "web/view_page.h"
 
 namespace hogelscope {
@@ -155,7 +156,13 @@ int runExport(const CommandLine& line) {
         "changes no content: give --for-twin too for content that is corrected for it");
   if (line.subject == "rig" && isSessionDocument(line.text("session")))
     return exportRig(loadSession(line.text("session"), line.texts("set")), line);
-  const Session session = loadSessionOf(line);
+  Session session = loadSessionOf(line);
+  if (line.has("prefilter")) {
+    if (line.subject == "rig" || !session.lightField.isLive())
+      throw InputError("command line", "--prefilter",
+                       "is for a live scene, whose directional pixels it averages");
+    session = prefiltered(std::move(session));
+  }
   if (line.subject == "rig") return exportRig(session, line);
   if (line.subject == "page") return exportPage(session, line);
   for (const char* const own : {"quality", "test", "experiment"})
@@ -247,9 +254,13 @@ Job exportJob() {
             .help =
                 "Content that is corrected for the session's twin, or --twin: seen through it, it "
                 "looks as the session's own does through the display as designed."},
+           {.name = "prefilter",
+            .after = "for-twin",
+            .help = "Of a live scene: each directional pixel is the mean of optimise.samples rays, "
+                    "16, over all of its hogel and direction, in place of its middle ray."},
            {.name = "quality",
             .value = "exact|small",
-            .after = "for-twin",
+            .after = "prefilter",
             .choices = {"exact", "small"},
             .help = "Of a page: exact (PNG), or small (WebP). Default: exact up to 8 MB."},
            {.name = "experiment",

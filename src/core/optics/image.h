@@ -2,9 +2,12 @@
 // The image of a camera state: RGB and the mask of the pixels seen.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <type_traits>
 #include <vector>
 
 #include "core/light_field/light_field_source.h"
@@ -75,6 +78,18 @@ inline std::uint8_t quantised(double codeValue) {
   if (codeValue >= 255) return 255;
   // NOLINTNEXTLINE(bugprone-incorrect-roundings): of positive numbers, half up as said
   return static_cast<std::uint8_t>(codeValue + 0.5);
+}
+
+/// Returns a code value as a light field's texels store it: the inverse of codeValue(), rounded to
+/// the nearest value of an integer type.
+template <class T>
+T storedValue(double codeValue) {
+  if constexpr (std::is_same_v<T, float>)
+    return static_cast<float>(codeValue / 255);
+  else if constexpr (sizeof(T) == 1)
+    return quantised(codeValue);
+  else
+    return static_cast<T>(std::lround(257 * std::clamp(codeValue, 0.0, 255.0)));
 }
 
 }  // namespace hogelscope

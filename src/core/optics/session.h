@@ -9,6 +9,7 @@
 #include "core/optics/aperture.h"
 #include "core/optics/camera.h"
 #include "core/optics/distortion.h"
+#include "core/optics/optimise_params.h"
 #include "core/optics/psf.h"
 #include "core/optics/sampling.h"
 #include "core/panel/depth_budget.h"
@@ -47,6 +48,7 @@ struct Session {
   LightFieldParams lightField;
   SamplingParams sampling;
   DepthParams depth;
+  OptimiseParams optimise;
   std::vector<std::string> metrics;  ///< plugins whose figures a report also has
   std::vector<CameraState> cameras;
   bool operator==(const Session&) const = default;

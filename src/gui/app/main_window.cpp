@@ -25,6 +25,7 @@
 #include "gui/docks/plot_saver.h"
 #include "gui/docks/properties.h"
 #include "gui/docks/state_dock.h"
+#include "gui/files/content_optimiser.h"
 #include "gui/files/file_commands.h"
 #include "gui/files/light_field_output.h"
 #include "gui/keys/command_palette.h"
@@ -453,6 +454,12 @@ void MainWindow::addHelpers() {
   m_lightFieldOutput = new LightFieldOutput(m_ui->fileMenu, m_ui->statusBar, m_model, this);
   connect(m_lightFieldOutput, &LightFieldOutput::done, m_messages, &Messages::showMessage);
   connect(m_lightFieldOutput, &LightFieldOutput::failed, m_messages, &Messages::showError);
+  m_optimiser = new ContentOptimiser(m_ui->fileMenu, m_ui->statusBar, m_model, this);
+  connect(m_optimiser, &ContentOptimiser::done, m_messages, &Messages::showMessage);
+  connect(m_optimiser, &ContentOptimiser::failed, m_messages, &Messages::showError);
+  connect(m_optimiser, &ContentOptimiser::written, m_imageCommands, &ImageCommands::compareWith);
+  connect(m_properties->lightField(), &LightFieldDock::optimiseAsked, m_optimiser,
+          &ContentOptimiser::ask);
   m_ui->fileMenu->addSeparator();
   addCommand(m_ui->fileMenu,
              {"quitAction", tr("&Quit"), tr("Closes the window"), Qt::CTRL | Qt::Key_Q}, this,
@@ -566,6 +573,7 @@ void MainWindow::showScene() {
   m_scene->setSource(source);
   m_imageCommands->setSource(source);
   m_lightFieldOutput->setSize(source ? std::optional(source->lightField->size()) : std::nullopt);
+  m_optimiser->setHasContent(source.has_value());
   m_lightFieldOutput->setFrame(m_loader->frame());
   m_ui->reportPanel->setReference(source);
   forgetMeasurement();

@@ -21,6 +21,7 @@ namespace hogelscope {
 
 class CameraPlayer;
 class ContentLoader;
+class ContentOptimiser;
 class FrameBar;
 class FrameStream;
 class FileCommands;
@@ -85,6 +86,7 @@ class MainWindow : public QMainWindow {
   HomePage* m_home = nullptr;
   FileCommands* m_files = nullptr;
   LightFieldOutput* m_lightFieldOutput = nullptr;
+  ContentOptimiser* m_optimiser = nullptr;
   WindowLayout* m_layout = nullptr;
   ReadingBar *m_readingBar = nullptr, *m_lookingBar = nullptr;
   QString m_noticeBefore;

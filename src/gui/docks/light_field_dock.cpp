@@ -34,12 +34,16 @@ LightFieldDock::LightFieldDock(SessionModel* model, QWidget* parent)
                             tr("Another picture: hogels, or tiles of views"));
   auto* folderButton = button("chooseFolderButton", tr("Choose f&older…"),
                               tr("Another folder of views (sub-aperture pictures)"));
+  auto* optimise = button("optimiseButton", tr("O&ptimise…"),
+                          tr("Content that makes up for the display's leakage"));
+  connect(optimise, &QPushButton::clicked, this, &LightFieldDock::optimiseAsked);
   connect(fileButton, &QPushButton::clicked, this, &LightFieldDock::askFile);
   connect(folderButton, &QPushButton::clicked, this, &LightFieldDock::askFolder);
   auto* buttons = new QWidget;
   auto* row = new QHBoxLayout(buttons);
   row->addWidget(fileButton);
   row->addWidget(folderButton);
+  row->addWidget(optimise);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   const auto visitContent = [](ParameterVisitor& v, LightFieldParams& p) {

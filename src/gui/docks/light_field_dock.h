@@ -33,6 +33,8 @@ class LightFieldDock : public QWidget {
  Q_SIGNALS:
   /// A source or a mesh has been rejected; the session is unchanged.
   void failed(const QString& line);
+  /// Content that makes up for the display's leakage is asked for.
+  void optimiseAsked();
 
  private:
   ParameterForm* form(void (*visit)(ParameterVisitor&, LightFieldParams&));

@@ -121,6 +121,7 @@ void describeParts(SectionVisitor& v, Session& session) {
   v.section("lightField", true, [&] { describeParts(v, session.lightField, session.display); });
   v.section("sampling", session.sampling);
   v.optional("depth", session.depth);
+  v.optional("optimise", session.optimise);
   v.value(
       "metrics", !session.metrics.empty(),
       [&](const Json& names, const std::string& path) { session.metrics = readNames(names, path); },

@@ -12,17 +12,6 @@ namespace hogelscope {
 
 namespace {
 
-/// Stores code values as T.
-template <class T>
-T stored(double codeValue) {
-  if constexpr (std::is_same_v<T, float>)
-    return static_cast<float>(codeValue / 255);
-  else if constexpr (sizeof(T) == 1)
-    return quantised(codeValue);
-  else
-    return static_cast<T>(std::lround(257 * std::clamp(codeValue, 0.0, 255.0)));
-}
-
 int cellOf(double index, int count) {
   return std::clamp(static_cast<int>(std::floor(index)), 0, count - 1);
 }
@@ -109,7 +98,8 @@ void TwinContent::stream(const HogelRow& row, const Progress& progress) {
           auto& values = rows[static_cast<std::size_t>(v)];
           values.clear();
           for (const Rgb& code : lightOf(*source, j, v))
-            for (const double value : {code.r, code.g, code.b}) values.push_back(stored<T>(value));
+            for (const double value : {code.r, code.g, code.b})
+              values.push_back(storedValue<T>(value));
         }
       });
       for (int v = 0; v < dv; ++v) row(j, v, StoredRows(rows[static_cast<std::size_t>(v)].data()));

@@ -34,6 +34,7 @@ from ._content import info, open
 from ._figures import bd_rate, compare
 from ._hogelscope import InputError, LightField, add_plugin_folder, allow_memory
 from ._measure import depth, measure, sweep
+from ._optimise import optimise
 from ._page import Page, page
 from ._session import Report, Session, cameras, report
 from ._view import View
@@ -57,6 +58,7 @@ __all__ = [
     "info",
     "measure",
     "open",
+    "optimise",
     "page",
     "report",
     "sweep",

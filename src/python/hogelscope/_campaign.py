@@ -9,7 +9,7 @@ from typing import Any, Dict, Iterable, List, Mapping, Optional, Union
 
 from . import _hogelscope
 from ._content import OwnMembers, Path, Progress, json_text, path_text, warn
-from ._measure import Row, _rows
+from ._measure import Row, rows_of
 from ._session import Session, report
 
 _WORDS = ("scene", "state", "test", "problem", "figure", "over", "anchor", "group", "quality",
@@ -80,4 +80,4 @@ def campaign(
                groups=scene["groups"], images=images, threads=threads, progress=heard)
     rows, summary, bd, missing = _hogelscope.campaign_tables(text, file, folder)
     warn(missing)
-    return Campaign(_rows(rows, _WORDS), _rows(summary, _WORDS), _rows(bd, _WORDS), missing)
+    return Campaign(rows_of(rows, _WORDS), rows_of(summary, _WORDS), rows_of(bd, _WORDS), missing)

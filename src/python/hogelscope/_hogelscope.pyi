@@ -109,6 +109,13 @@ def normal(document: Document) -> str: ...
 def open(
     document: Document, warnings: Sequence[str], progress: Optional[Callable[[float], object]]
 ) -> LightField: ...
+def optimise(
+    document: Document,
+    layout: str,
+    output: str,
+    threads: int,
+    progress: Optional[Callable[[float], object]],
+) -> Tuple[str, List[str]]: ...
 def page(
     document: Document,
     title: str,

@@ -15,7 +15,7 @@ from ._session import Session
 Row = Dict[str, Any]  # texts, numbers, None
 
 
-def _rows(text: str, words: Sequence[str]) -> List[Row]:
+def rows_of(text: str, words: Sequence[str]) -> List[Row]:
     """The rows of a table; columns but those of `words` are numbers, None where a cell is empty."""
     return [
         {name: cell if name in words else float(cell) if cell else None
@@ -49,7 +49,7 @@ def depth(
     states = None if cameras is None else [dict(state) for state in cameras]
     text, table, fitted = _hogelscope.depth(session._document(states), threads, progress)
     figures: Dict[str, Any] = json.loads(text)
-    figures["rows"] = _rows(table, ["state"])
+    figures["rows"] = rows_of(table, ["state"])
     figures["fitted"] = Session(fitted) if fitted else None
     return figures
 
@@ -76,7 +76,7 @@ def measure(
     """
     states = None if cameras is None else [dict(state) for state in cameras]
     table = _hogelscope.measure(session._document(states), path_text(output), threads, progress)
-    return _rows(table, ["figure", "unit", "where"])
+    return rows_of(table, ["figure", "unit", "where"])
 
 
 def sweep(
@@ -109,5 +109,5 @@ def sweep(
         session._document(states), text, path_text(output), threads, progress
     )
     parameters = list(table.get("parameters", {}))
-    rows = _rows(made, ["problem", *parameters])
+    rows = rows_of(made, ["problem", *parameters])
     return [{**row, **{name: json.loads(row[name]) for name in parameters}} for row in rows]
