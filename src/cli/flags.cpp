@@ -63,8 +63,8 @@ std::vector<Flag> sharedFlags() {
       {.name = "output",
        .value = "PATH",
        .heading = "What is written",
-       .help = "The folder for the results; for --make-cameras, --make-twin, --generate, --pack "
-               "and --export the file (views: the folder). Folders are made if missing."},
+       .help = "The folder for the results; for --make-cameras, --make-twin, --generate, --pack, "
+               "--export and --optimise the file (views: the folder). Folders are made if missing."},
       {.name = "save-session",
        .value = "FILE",
        .lastJob = "export",
@@ -72,8 +72,9 @@ std::vector<Flag> sharedFlags() {
                "picture as --session, the session that was made around it."},
       {.name = "shard",
        .value = "K/N",
-       .help = "Does every N-th state, from the K-th on, for one of N processes; of a report "
-               "only their figures, for the command without --shard."},
+       .help = "Does every N-th state, from the K-th on, for one of N processes, with --optimise "
+               "every N-th row of hogels; of a report only their figures, for the command without "
+               "--shard."},
       {.name = "frames",
        .value = "FIRST:LAST:STEP",
        .help =

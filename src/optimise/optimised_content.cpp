@@ -250,9 +250,10 @@ void OptimisedContent::solveHogel(Row<T>& row, int i, Work& work) {
   const SolverLimits limits{m_what.params.iterations, m_what.params.tolerance};
   auto& hogel = row.hogels[std::size_t(i)] = {};
   const std::size_t first = std::size_t(i) * std::size_t(du);
+  const Twin* const dead = m_what.twin && m_what.twin->hasDead() ? m_what.twin.get() : nullptr;
   for (int v = 0; v < dv; ++v)
     for (int u = 0; u < du; ++u)
-      work.most.row(v)[u] = m_what.twin && m_what.twin->isDead({i, row.j, u, v}) ? 0 : 1;
+      work.most.row(v)[u] = dead != nullptr && dead->isDead({i, row.j, u, v}) ? 0 : 1;
   for (std::size_t c = 0; c < 3; ++c) {
     for (int v = 0; v < dv; ++v)
       for (int u = 0; u < du; ++u) {

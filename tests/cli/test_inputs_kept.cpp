@@ -64,6 +64,8 @@ void writeInputs() {
   for (const char* name : {"000_000", "000_001", "001_000", "001_001"})
     writeImageFile(QString("v/%1.png").arg(name), 8, 8, wave);
   writeImageFile("quilt_qs2x1a1.png", 64, 32, wave);
+  for (const char* state : {"s0", "s1"})
+    writeImageFile(QString("wanted/%1.png").arg(state), 12, 12, wave);
   writeMesh();
   writeFile("lens.csv", "direction,angle\n-0.5,-30\n0.5,30\n");
   QByteArray directions = "u,v,x,y\n";
@@ -198,6 +200,18 @@ std::vector<Case> cases() {
       {"export rig", "export",
        QStringList{"--export", "rig", "--session", "mesh.json", "--output", "OUT.json"} + kept,
        ofMesh},
+      {"optimise", "optimise",
+       QStringList{"--optimise", "hogels", "--session", "s.json", "--output", "OUT.png"} + kept,
+       ofSession},
+      {"optimise for pictures",
+       "optimise",
+       {"--optimise", "views", "--session", "plain.json", "--output", "out", "--twin", "unit.json",
+        "--set", "optimise.target=views", "--set", "optimise.views=wanted"},
+       {"plain.json", "a.png", "unit.json", "wanted/s0.png", "wanted/s1.png"}},
+      {"optimise a store",
+       "optimise",
+       {"--optimise", "pack", "--session", "plain.json", "--output", "OUT.tif"},
+       {"plain.json", "a.png"}},
       {"trade-off",
        "tradeoff",
        QStringList{"--tradeoff", "--session", "plain.json", "--output", "out", "--budget", "0.01",

@@ -2,11 +2,14 @@
 """optimise(): the least error, proven from its gradient with matrices written here alone."""
 
 import os
+import shutil
+import subprocess
+import time
 import unittest
 import warnings
 
 import numpy as np
-from support import FolderTest, program, random_views, read, refusal
+from support import PROGRAM, FolderTest, program, random_views, read, refusal
 
 import hogelscope as hs
 
@@ -267,6 +270,24 @@ class Optimise(FolderTest):
         program(*command[:-1], self.path("alone.tif"))
         self.assertEqual(read(self.path("o.tif")), read(self.path("alone.tif")))
 
+    def test_a_killed_run_goes_on(self):
+        session = self.session([state("a", [0, 0, 0.6])], ROOM)
+        session["display"].update(hogels=[40, 30], directions=[16, 16])
+        session.save(self.path("s.json"))
+        command = [PROGRAM, "--optimise", "pack", "--session", self.path("s.json"), "--set",
+                   "optimise.iterations=1000", "--quiet", "--output"]
+        rows = self.path("killed.tif.rows")
+        with subprocess.Popen([*command, self.path("killed.tif")]) as run:
+            while run.poll() is None and len(os.listdir(rows) if os.path.exists(rows) else []) < 5:
+                time.sleep(0.01)
+            run.kill()
+        kept = {name: os.stat(os.path.join(rows, name)).st_mtime_ns for name in os.listdir(rows)}
+        self.assertTrue(5 <= len(kept) < 30 and not os.path.exists(self.path("killed.tif")), kept)
+        subprocess.run([*command, self.path("killed.tif")], check=True)
+        subprocess.run([*command, self.path("whole.tif")], check=True)
+        self.assertEqual(read(self.path("killed.tif")), read(self.path("whole.tif")))
+        self.assertEqual(read(self.path("killed.csv")), read(self.path("whole.csv")))
+
     def test_units(self):
         """Gains, dead pixels and shifts: dead ones are black, and seen through the unit the content
         comes closer to what the display as designed shows."""
@@ -279,6 +300,10 @@ class Optimise(FolderTest):
         self.assertEqual(content[:, :, 3, 2].max(), 0)
         self.assertEqual(content[:, 4, :, 0].max(), 0)
         self.assertGreater(content[:, 3, :, 0].max(), 0.5)
+        self.assertGreater(self.rows[0]["after_psnr"], self.rows[0]["before_psnr"])
+        session["twin"] = {"random": {"shift": {"sigma": 0.0002}, "seed": 3}}
+        shutil.rmtree(self.path("optimised"))
+        self.assertGreater(self.optimised(session)[:, :, 3, 2].max(), 0.5)
         self.assertGreater(self.rows[0]["after_psnr"], self.rows[0]["before_psnr"])
         session["twin"] = {"leakage": {"sigmaGrowth": 0.2}}
         with self.assertRaisesRegex(hs.InputError, "twin.leakage: differs over the field"):
