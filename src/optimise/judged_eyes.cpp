@@ -3,19 +3,21 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <random>
 
 #include "core/metrics/metric.h"
 #include "core/panel/design_numbers.h"
 #include "io/images/image_file.h"
+#include "runs/state_images.h"
 
 namespace hogelscope {
 
 namespace {
 
 /// Returns a picture in code values.
-FloatImage readPicture(const std::filesystem::path& path, const std::vector<std::uint8_t>& seen,
-                       const Progress& progress) {
+Image readPicture(const std::filesystem::path& path, const std::vector<std::uint8_t>& seen,
+                  const Progress& progress) {
   ImageFile file(path);
   FloatImage image(int(file.width()), int(file.height()));
   image.seen = seen;
@@ -26,75 +28,73 @@ FloatImage readPicture(const std::filesystem::path& path, const std::vector<std:
                        [](float value) { return 255 * value; });
       },
       progress);
-  return image;
+  return rounded(std::move(image), 8, true);
 }
 
-/// Scores views of the contents of one session.
-class Judge {
+/// Takes from a view with its unrounded values the contrast that the optimised content gives away.
+Image lifted(const Image& image, const std::array<double, 2>& lift, LightModel light) {
+  const auto [black, white] = lift;
+  if (black == 0 && white == 0) return image;
+  FloatImage result(image.width, image.height);
+  result.seen = image.seen;
+  const bool isLinear = light == LightModel::linear;
+  for (std::size_t k = 0; k < image.unrounded.size(); ++k) {
+    const auto code = double(image.unrounded[k]);
+    const double part = isLinear ? linearFromEncoded(code) : code / 255;
+    const double less = black + (1 - black - white) * part;
+    result.rgb[k] = float(isLinear ? encodedFromLinear(less) : 255 * less);
+  }
+  return rounded(std::move(result));
+}
+
+/// The states that are judged, and the same with what the display may be in truth.
+struct JudgedStates {
+  std::vector<CameraState> shown;           ///< those of the session, then the held-out eyes
+  std::vector<CameraState> withoutLeakage;  ///< the same without leakage
+  std::vector<CameraState> narrower;        ///< the held-out eyes with less leakage
+};
+
+JudgedStates judgedStates(const Session& session, const PanelParams& display) {
+  JudgedStates states{session.cameras, {}, {}};
+  for (CameraState& eye : heldOutEyes(session, display, session.optimise)) {
+    states.shown.push_back(eye);
+    eye.psf.sigma *= Judgement::narrower;
+    states.narrower.push_back(std::move(eye));
+  }
+  states.withoutLeakage = states.shown;
+  for (CameraState& state : states.withoutLeakage) state.psf.windowSize = 1;
+  return states;
+}
+
+/// The views of a light field for some states, also of one that must be streamed.
+class JudgedViews {
  public:
-  Judge(const Session& session, const LightFieldParams& optimised, const Progress& progress)
-      : m_lift(session.optimise.lift) {
-    const SourceUse use{.memory = allowedMemory() / 2};
-    Session after = session;
-    after.lightField = optimised;
-    m_sources[beforeContent] = loadViewSource(session, part(progress, 0, 0.4), use);
-    m_sources[afterContent] = loadViewSource(after, part(progress, 0.4, 0.8), use);
-    m_isLive = session.lightField.isLive();
-    if (m_isLive)
-      m_sources[prefilteredContent] =
-          loadViewSource(prefiltered(session), part(progress, 0.8, 1), use);
-  }
+  /// `session` says what is shown; without its twin the display is as designed.
+  JudgedViews(Session session, const std::vector<CameraState>& states, const Progress& progress)
+      : m_file(openLightField(session.lightField, session.display, progress)),
+        m_images(unloadedViewSource(session, *m_file, progress), *m_file, states,
+                 {.use = {.memory = allowedMemory() / 2}, .keepsUnrounded = true}, progress) {}
 
-  [[nodiscard]] bool has(int content) const { return content != prefilteredContent || m_isLive; }
-  [[nodiscard]] bool isLive() const { return m_isLive; }
-  [[nodiscard]] const PanelParams& display() const { return m_sources[beforeContent].display; }
-
-  [[nodiscard]] Image shown(JudgedContent content, const CameraState& state) {
-    FloatImage image = m_renderer.renderFloat(m_sources[content].job(state));
-    if (content != afterContent) lift(image, state.psf.light);
-    return rounded(std::move(image));
+  [[nodiscard]] Image image(std::size_t state, Renderer& renderer) const {
+    return m_images.render(state, renderer, {});
   }
-  /// Returns the view on the display as designed and without leakage.
-  [[nodiscard]] Image ofDisplay(CameraState state) {
-    state.psf.windowSize = 1;
-    RenderJob job = m_sources[m_isLive ? prefilteredContent : beforeContent].job(state);
-    job.twin = nullptr;
-    return reference(m_renderer.renderFloat(job), state);
-  }
-  [[nodiscard]] Image ideal(const CameraState& state) {
-    RenderJob job = m_sources[beforeContent].job(state);
+  [[nodiscard]] Image ideal(std::size_t state, Renderer& renderer) const {
+    RenderJob job = m_images.job(state);
     job.isIdeal = true;
-    job.twin = nullptr;
-    return reference(m_renderer.renderFloat(job), state);
-  }
-  [[nodiscard]] Image reference(FloatImage image, const CameraState& state) const {
-    lift(image, state.psf.light);
-    return rounded(std::move(image));
-  }
-  [[nodiscard]] ViewScore score(const Image& reference, const Image& test) const {
-    const std::vector<double> values = m_metrics.compare(reference, test, parallelRows);
-    return {values[psnrSeenColumn], values[ssimSeenColumn], values[mseSeenColumn]};
+    job.keepsUnrounded = true;
+    return renderer.render(job);
   }
 
  private:
-  /// Takes from a view the contrast that the optimised content gives away.
-  void lift(FloatImage& image, LightModel light) const {
-    const auto [black, white] = m_lift;
-    if (black == 0 && white == 0) return;
-    for (float& value : image.rgb) {
-      const bool isLinear = light == LightModel::linear;
-      const double part = isLinear ? linearFromEncoded(double(value)) : double(value) / 255;
-      const double lifted = black + (1 - black - white) * part;
-      value = float(isLinear ? encodedFromLinear(lifted) : 255 * lifted);
-    }
-  }
-
-  std::array<double, 2> m_lift;
-  std::array<ViewSource, judgedContents> m_sources;
-  bool m_isLive = false;
-  Renderer m_renderer;
-  MetricSet m_metrics;
+  std::unique_ptr<LightFieldFile> m_file;
+  StateImages m_images;
 };
+
+ViewScore scoreOf(const Image& reference, const Image& test) {
+  static const MetricSet metrics;
+  const std::vector<double> values = metrics.compare(reference, test, parallelRows);
+  return {values[psnrSeenColumn], values[ssimSeenColumn], values[mseSeenColumn]};
+}
 
 /// Returns the middle of an image.
 ViewDetail detailOf(const std::string& title, const Image& image) {
@@ -107,12 +107,6 @@ ViewDetail detailOf(const std::string& title, const Image& image) {
     detail.rgb.insert(detail.rgb.end(), from, from + 3 * std::ptrdiff_t(detail.width));
   }
   return detail;
-}
-
-/// Returns what the states' views should look like.
-const Image& wanted(OptimiseTarget target,
-                    const std::vector<std::pair<std::string, Image>>& references) {
-  return target == OptimiseTarget::light ? references.front().second : references.back().second;
 }
 
 /// Returns a number from 0 to below 1 that is the same on all machines.
@@ -206,42 +200,59 @@ Session prefiltered(Session session) {
 
 Judgement judge(const Session& session, const LightFieldParams& optimised,
                 const std::vector<std::filesystem::path>& pictures, const Progress& progress) {
-  Judge judge(session, optimised, part(progress, 0, 0.3));
-  const PanelParams display = judge.display();
-  std::vector<CameraState> states = session.cameras;
-  std::ranges::copy(heldOutEyes(session, display, session.optimise), std::back_inserter(states));
+  const JudgedStates states = judgedStates(session, displayOf(session));
+  std::vector<CameraState> all = states.shown;
+  std::ranges::copy(states.narrower, std::back_inserter(all));
+  const bool isLive = session.lightField.isLive();
+  const Session own = isLive ? prefiltered(session) : session;
+  Session designed = own, after = session;
+  designed.twin = {};
+  after.lightField = optimised;
+  const JudgedViews references(designed, states.withoutLeakage, part(progress, 0, 0.1));
+  std::array<std::optional<JudgedViews>, judgedContents> contents;
+  contents[beforeContent].emplace(session, all, part(progress, 0.1, 0.2));
+  if (isLive) contents[prefilteredContent].emplace(own, all, part(progress, 0.2, 0.3));
+  contents[afterContent].emplace(after, all, part(progress, 0.3, 0.4));
+  Renderer renderer;
+  const auto lift = [&](const Image& image, std::size_t state) {
+    return lifted(image, session.optimise.lift, all[state].psf.light);
+  };
+  const auto shown = [&](std::size_t content, std::size_t state) {
+    const Image image = contents[content]->image(state, renderer);
+    return content == afterContent ? image : lift(image, state);
+  };
+
   Judgement result;
   std::array<std::vector<ViewScore>, judgedContents> narrower;
-  for (std::size_t k = 0; k < states.size(); ++k) {
-    reportProgress(progress, 0.3 + 0.7 * double(k) / double(states.size()));
-    const CameraState& state = states[k];
-    const bool isHeldOut = k >= session.cameras.size();
-    std::array<Image, judgedContents> shown;
-    for (const JudgedContent content : {beforeContent, prefilteredContent, afterContent})
-      if (judge.has(content)) shown[content] = judge.shown(content, state);
-    std::vector<std::pair<std::string, Image>> references{{"display", judge.ofDisplay(state)}};
-    if (judge.isLive()) references.emplace_back("ideal", judge.ideal(state));
-    if (!isHeldOut && !pictures.empty())
-      references.emplace_back(
-          "views",
-          judge.reference(readPicture(pictures[k], shown[afterContent].seen, progress), state));
-    for (const auto& [name, reference] : references) {
-      JudgedView view{state.camera.name, isHeldOut, name, {}};
-      for (const JudgedContent content : {beforeContent, prefilteredContent, afterContent})
-        if (judge.has(content)) view.scores[content] = judge.score(reference, shown[content]);
+  const std::size_t heldOut = session.cameras.size();
+  for (std::size_t k = 0; k < states.shown.size(); ++k) {
+    reportProgress(progress, 0.4 + 0.6 * double(k) / double(states.shown.size()));
+    std::array<Image, judgedContents> images;
+    for (std::size_t content = 0; content < judgedContents; ++content)
+      if (contents[content]) images[content] = shown(content, k);
+    std::vector<std::pair<std::string, Image>> wanted{
+        {"display", lift(references.image(k, renderer), k)}};
+    if (isLive) wanted.emplace_back("ideal", lift(references.ideal(k, renderer), k));
+    if (k < pictures.size())
+      wanted.emplace_back("views",
+                          lift(readPicture(pictures[k], images[afterContent].seen, progress), k));
+    for (const auto& [name, reference] : wanted) {
+      JudgedView view{states.shown[k].camera.name, k >= heldOut, name, {}};
+      for (std::size_t content = 0; content < judgedContents; ++content)
+        if (contents[content]) view.scores[content] = scoreOf(reference, images[content]);
       result.views.push_back(std::move(view));
     }
     if (k == 0)
-      result.details = {detailOf("should be seen", wanted(session.optimise.target, references)),
-                        detailOf("before", shown[beforeContent]),
-                        detailOf("after", shown[afterContent])};
-    if (!isHeldOut || state.psf.windowSize == 1) continue;
-    CameraState less = state;
-    less.psf.sigma *= Judgement::narrower;
-    for (const JudgedContent content : {beforeContent, prefilteredContent, afterContent})
-      if (judge.has(content))
+      result.details = {detailOf("should be seen", session.optimise.target == OptimiseTarget::light
+                                                       ? wanted.front().second
+                                                       : wanted.back().second),
+                        detailOf("before", images[beforeContent]),
+                        detailOf("after", images[afterContent])};
+    if (k < heldOut) continue;
+    for (std::size_t content = 0; content < judgedContents; ++content)
+      if (contents[content])
         narrower[content].push_back(
-            judge.score(references.front().second, judge.shown(content, less)));
+            scoreOf(wanted.front().second, shown(content, states.shown.size() + (k - heldOut))));
   }
   for (std::size_t k = 0; k < narrower.size(); ++k) result.ifNarrower[k] = meanOf(narrower[k]);
   return result;

@@ -326,7 +326,7 @@ void TestCameraModels::fisheyeEndsAtItsFoldOrAt90Degrees() {
   Random random(8);
   int folds = 0;
   int whole = 0;
-  for (int repeat = 0; repeat < 1000; ++repeat) {
+  for (int repeat = 0; repeat < 250; ++repeat) {
     const DistortionParams p = randomFisheye(random, randomLimit(random) * 0.3);
     const SlowFisheye slow{{p.k1, p.k2, p.k3, p.k4}};
     const double end = slow.end();
@@ -348,7 +348,7 @@ void TestCameraModels::fisheyeEndsAtItsFoldOrAt90Degrees() {
     const double valid = validRadius(lens);
     QVERIFY(end < 1.57 ? std::abs(std::atan(valid) - end) < 1e-4 : valid > 1000);
   }
-  QVERIFY2(folds > 200 && whole > 200, qPrintable(QString("%1 %2").arg(folds).arg(whole)));
+  QVERIFY2(folds > 50 && whole > 50, qPrintable(QString("%1 %2").arg(folds).arg(whole)));
 }
 
 void TestCameraModels::manyPointsAreAsEach() {

@@ -48,6 +48,7 @@ class TestNotices : public WindowTest {
   void aStateThatCannotBeRendered();
   void aNoticeIsPaintedOnTheDimmedImage();
   void theCuresAreButtons();
+  void allEditsSinceThePictureAreUndone();
   void aReportGoesOn();
   void aBlackPictureSaysWhatHelps();
   void aDarkPictureIsStretched();
@@ -272,6 +273,28 @@ void TestNotices::theCuresAreButtons() {
   QTRY_VERIFY_WITH_TIMEOUT(isRight(), patience);
   QVERIFY(!child<QPushButton>("undoActionCure"));
   QVERIFY(view()->grab().toImage().pixelColor(0, 0) != tokens().error);
+}
+
+/// After a wrong edit and others the last one is not what has to be undone.
+void TestNotices::allEditsSinceThePictureAreUndone() {
+  openSmall();
+  const Session before = m_model->session();
+  Session content = before;
+  content.display.directions = {5, 5};
+  m_model->setContent(content);
+  content.sampling.tolerance = 1;
+  m_model->setContent(content);
+  QTRY_VERIFY_WITH_TIMEOUT(child<QPushButton>("undoToPictureActionCure"), patience);
+  QVERIFY(isWrong(""));
+  auto* undo = child<QPushButton>("undoToPictureActionCure");
+  QTRY_VERIFY_WITH_TIMEOUT(undo->isVisible(), patience);
+  QTest::mouseClick(undo, Qt::LeftButton);
+  QTRY_VERIFY_WITH_TIMEOUT(isRight(), patience);
+  QVERIFY(m_model->session() == before);
+  content.display.directions = {5, 5};
+  m_model->setContent(content);  // one edit: the usual button is enough
+  QTRY_VERIFY_WITH_TIMEOUT(child<QPushButton>("undoActionCure"), patience);
+  QVERIFY(!child<QPushButton>("undoToPictureActionCure"));
 }
 
 /// It has a light field of its own; and what it says of its tests is not about the image.

@@ -49,7 +49,7 @@ const std::map<QString, QStringList>& allowedRooms() {
       {"vtk", {"core", "io", "sdk/hogelscope"}},
       {"study", {"core"}},
       {"measure", {"core", "io", "runs", "page", "sdk/hogelscope"}},
-      {"optimise", {"core", "io", "page"}},
+      {"optimise", {"core", "io", "runs", "page"}},
       {"page", {"core", "io/files"}},
       {"web/engine", {"core"}},
       {"web", {"core", "io", "page"}},

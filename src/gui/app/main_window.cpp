@@ -323,6 +323,12 @@ void MainWindow::connectLoader() {
     m_messages->showMessage(line);
   });
   connect(m_loader, &ContentLoader::failed, this, &MainWindow::showFailure);
+  m_undoToPicture = new QAction(tr("&Undo all edits since the picture"), this);
+  m_undoToPicture->setObjectName("undoToPictureAction");
+  m_undoToPicture->setToolTip(tr("Goes back to the session whose picture was shown last"));
+  connect(m_undoToPicture, &QAction::triggered, this,
+          [this] { m_model->undoStack()->setIndex(m_shownAt); });
+  connect(m_model, &SessionModel::opened, this, [this] { m_askedAt = m_shownAt = 0; });
   QAction* asBuilt =
       addSwitch(m_ui->pictureMenu,
                 {"asBuiltAction", tr("As &built"),
@@ -384,6 +390,7 @@ void MainWindow::connectFrames() {
 
 void MainWindow::render() {
   if (!m_loader->isReady()) return;  // showScene() renders
+  m_askedAt = m_model->undoStack()->index();
   m_worker->render({m_player->shown(), *m_loader->source(), m_method, m_imageCommands->other(),
                     m_imageCommands->asksWhy(), m_imageCommands->eyes()});
 }
@@ -393,6 +400,7 @@ void MainWindow::showView(const RenderedView& view) {
   m_frameBar->pictureShown();
   const bool isFull = view.scale == 1 && !view.isOverview && view.samples == 0;
   if (isFull) m_files->keepThumbnail(view.image);
+  if (isFull) m_shownAt = m_askedAt;
   m_loader->followImage();
   const QString form =
       view.otherImage.isNull() ? tr("%1 × %2 px in %3 ms") : tr("%1 × %2 px, both in %3 ms");
@@ -532,6 +540,8 @@ void MainWindow::showFailure(const QString& line) {
   else if (m_imageCommands->other())
     advice += tr(" Where it is the other light field's fault, stop comparing.");
   QList<QAction*> cures;
+  // The last edit alone need not be the wrong one.
+  if (m_model->undoStack()->index() > m_shownAt + 1) cures << m_undoToPicture;
   for (const char* name : {"undoAction", "locateFileAction", "stopComparingAction", "openAction"})
     if (auto* cure = findChild<QAction*>(name)) cures << cure;
   m_imageCommands->showNotice(what + "\n\n" + line + "\n\n" + advice, cures);

@@ -92,6 +92,9 @@ class MainWindow : public QMainWindow {
   QString m_noticeBefore;
   QString m_lookingLine;  ///< on the picture while a light field is looked at
   QComboBox* m_stateBox;
+  QAction* m_undoToPicture;  ///< undoes what was edited since a picture was right
+  int m_askedAt = 0;         ///< edits that could be undone when the last view was asked for
+  int m_shownAt = 0;         ///< the same of the last view that was shown
   Guide* m_guide = nullptr;
   QMenu *m_colours, *m_textSizes;
   SceneController* m_scene;
