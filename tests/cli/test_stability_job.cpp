@@ -106,7 +106,8 @@ void TestStabilityJob::mistakes_data() {
       "none.json: cannot be read: No such file or directory");
   row("a session", stability({"--session", "s.json"}),
       "--session: is not an option of --stability; it belongs to --render, --report, "
-      "--make-cameras, --make-twin, --generate, --pack, --export, --tradeoff, --measure, --sweep, "
+      "--make-cameras, --make-twin, --generate, --pack, --export, --optimise, --tradeoff, "
+      "--measure, --sweep, "
       "--depth");
 }
 

@@ -116,7 +116,7 @@ void TestBadJson::structure_data() {
   refusedIn(
       "unknown section, nothing near", R"({"hogelscope": 1, "metadata": {}})",
       "metadata: is not known here; known are hogelscope, display, twin, lightField, sampling, "
-      "depth, metrics, cameras");
+      "depth, optimise, metrics, cameras");
   refusedIn("camera for cameras", R"({"hogelscope": 1, "camera": []})",
             "camera: is not known here; did you mean \"cameras\"?");
   refusedIn("unknown display field", text({.display = R"({"hogel": [4, 3]})"}),

@@ -275,7 +275,7 @@ class Optimise(FolderTest):
         session["display"].update(hogels=[40, 30], directions=[16, 16])
         session.save(self.path("s.json"))
         command = [PROGRAM, "--optimise", "pack", "--session", self.path("s.json"), "--set",
-                   "optimise.iterations=1000", "--quiet", "--output"]
+                   "optimise.iterations=300", "--quiet", "--output"]
         rows = self.path("killed.tif.rows")
         with subprocess.Popen([*command, self.path("killed.tif")]) as run:
             while run.poll() is None and len(os.listdir(rows) if os.path.exists(rows) else []) < 5:

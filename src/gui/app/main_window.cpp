@@ -323,11 +323,11 @@ void MainWindow::connectLoader() {
     m_messages->showMessage(line);
   });
   connect(m_loader, &ContentLoader::failed, this, &MainWindow::showFailure);
-  m_undoToPicture = new QAction(tr("&Undo all edits since the picture"), this);
-  m_undoToPicture->setObjectName("undoToPictureAction");
-  m_undoToPicture->setToolTip(tr("Goes back to the session whose picture was shown last"));
-  connect(m_undoToPicture, &QAction::triggered, this,
-          [this] { m_model->undoStack()->setIndex(m_shownAt); });
+  m_undoToPicture = addCommand(m_ui->editMenu,
+                               {"undoToPictureAction", tr("&Back to the picture"),
+                                tr("Takes all edits back that were made since a picture was shown"),
+                                Qt::CTRL | Qt::ALT | Qt::Key_Z},
+                               this, [this] { m_model->undoStack()->setIndex(m_shownAt); });
   connect(m_model, &SessionModel::opened, this, [this] { m_askedAt = m_shownAt = 0; });
   QAction* asBuilt =
       addSwitch(m_ui->pictureMenu,

@@ -43,7 +43,6 @@ LightFieldDock::LightFieldDock(SessionModel* model, QWidget* parent)
   auto* row = new QHBoxLayout(buttons);
   row->addWidget(fileButton);
   row->addWidget(folderButton);
-  row->addWidget(optimise);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   const auto visitContent = [](ParameterVisitor& v, LightFieldParams& p) {
@@ -62,8 +61,10 @@ LightFieldDock::LightFieldDock(SessionModel* model, QWidget* parent)
       tr("The panel's picture is made for these figures, and seen through the display's lenses: a "
          "wrong calibration can be recognised by its look"));
   connect(m_hasWeave, &QCheckBox::toggled, this, &LightFieldDock::setWeave);
+  auto* below = new QWidget;
+  (new QHBoxLayout(below))->addWidget(optimise);
   layout->addWidget(stackWidgets(
-      {m_file, buttons, m_liveForms[0], m_liveForms[1], m_hasWeave, m_weave, m_contents}));
+      {m_file, buttons, m_liveForms[0], m_liveForms[1], m_hasWeave, m_weave, m_contents, below}));
   for (const auto change : {&SessionModel::opened, &SessionModel::contentChanged})
     connect(m_model, change, this, &LightFieldDock::showForms);
   showForms();
