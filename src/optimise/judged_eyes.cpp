@@ -133,6 +133,90 @@ ViewScore meanOf(const std::vector<ViewScore>& scores) {
   return {10 * std::log10(255.0 * 255.0 / mse), sum.ssim / count, mse};
 }
 
+/// The views of one eye, by JudgedContent, and what they should be, by the reference's name.
+using ShownViews = std::array<std::optional<Image>, judgedContents>;
+using WantedViews = std::vector<std::pair<std::string, Image>>;
+
+class Judge {
+ public:
+  Judge(const Session& session, const LightFieldParams& optimised,
+        const std::vector<std::filesystem::path>& pictures, const Progress& progress)
+      : m_session(session),
+        m_pictures(pictures),
+        m_isLive(session.lightField.isLive()),
+        m_states(judgedStates(session, displayOf(session))),
+        m_all(m_states.shown) {
+    std::ranges::copy(m_states.narrower, std::back_inserter(m_all));
+    const Session own = m_isLive ? prefiltered(session) : session;
+    Session designed = own, after = session;
+    designed.twin = {};
+    after.lightField = optimised;
+    m_references.emplace(designed, m_states.withoutLeakage, part(progress, 0, 0.25));
+    m_contents[beforeContent].emplace(session, m_all, part(progress, 0.25, 0.5));
+    if (m_isLive) m_contents[prefilteredContent].emplace(own, m_all, part(progress, 0.5, 0.75));
+    m_contents[afterContent].emplace(after, m_all, part(progress, 0.75, 1));
+  }
+
+  /// Returns the number of eyes.
+  [[nodiscard]] std::size_t count() const { return m_states.shown.size(); }
+  [[nodiscard]] bool isHeldOut(std::size_t eye) const { return eye >= m_session.cameras.size(); }
+  /// Returns the state of a held-out eye for which the display leaks less.
+  [[nodiscard]] std::size_t narrowerOf(std::size_t eye) const {
+    return count() + eye - m_session.cameras.size();
+  }
+
+  [[nodiscard]] ShownViews shown(std::size_t state) {
+    ShownViews views;
+    for (std::size_t content = 0; content < judgedContents; ++content)
+      if (m_contents[content]) {
+        views[content] = m_contents[content]->image(state, m_renderer);
+        if (content != afterContent) views[content] = lift(*views[content], state);
+      }
+    return views;
+  }
+
+  [[nodiscard]] WantedViews wanted(std::size_t eye, const Progress& progress) {
+    const Image onDisplay = m_references->image(eye, m_renderer);
+    WantedViews views{{"display", lift(onDisplay, eye)}};
+    if (m_isLive) views.emplace_back("ideal", lift(m_references->ideal(eye, m_renderer), eye));
+    if (eye < m_pictures.size())
+      views.emplace_back("views",
+                         lift(readPicture(m_pictures[eye], onDisplay.seen, progress), eye));
+    return views;
+  }
+
+  void addScores(std::size_t eye, const ShownViews& shown, const WantedViews& wanted,
+                 std::vector<JudgedView>& views) const {
+    for (const auto& [name, reference] : wanted) {
+      JudgedView view{m_all[eye].camera.name, isHeldOut(eye), name, {}};
+      for (std::size_t content = 0; content < judgedContents; ++content)
+        if (shown[content]) view.scores[content] = scoreOf(reference, *shown[content]);
+      views.push_back(std::move(view));
+    }
+  }
+
+  [[nodiscard]] std::vector<ViewDetail> details(const ShownViews& shown,
+                                                const WantedViews& wanted) const {
+    const bool isOwnLight = m_session.optimise.target == OptimiseTarget::light;
+    return {detailOf("should be seen", (isOwnLight ? wanted.front() : wanted.back()).second),
+            detailOf("before", *shown[beforeContent]), detailOf("after", *shown[afterContent])};
+  }
+
+ private:
+  [[nodiscard]] Image lift(const Image& image, std::size_t state) const {
+    return lifted(image, m_session.optimise.lift, m_all[state].psf.light);
+  }
+
+  const Session& m_session;
+  const std::vector<std::filesystem::path>& m_pictures;
+  bool m_isLive;
+  JudgedStates m_states;
+  std::vector<CameraState> m_all;  ///< those that are shown, then those with less leakage
+  std::optional<JudgedViews> m_references;
+  std::array<std::optional<JudgedViews>, judgedContents> m_contents;
+  Renderer m_renderer;
+};
+
 }  // namespace
 
 double stepOfDirections(const Session& session, const PanelParams& display) {
@@ -200,59 +284,20 @@ Session prefiltered(Session session) {
 
 Judgement judge(const Session& session, const LightFieldParams& optimised,
                 const std::vector<std::filesystem::path>& pictures, const Progress& progress) {
-  const JudgedStates states = judgedStates(session, displayOf(session));
-  std::vector<CameraState> all = states.shown;
-  std::ranges::copy(states.narrower, std::back_inserter(all));
-  const bool isLive = session.lightField.isLive();
-  const Session own = isLive ? prefiltered(session) : session;
-  Session designed = own, after = session;
-  designed.twin = {};
-  after.lightField = optimised;
-  const JudgedViews references(designed, states.withoutLeakage, part(progress, 0, 0.1));
-  std::array<std::optional<JudgedViews>, judgedContents> contents;
-  contents[beforeContent].emplace(session, all, part(progress, 0.1, 0.2));
-  if (isLive) contents[prefilteredContent].emplace(own, all, part(progress, 0.2, 0.3));
-  contents[afterContent].emplace(after, all, part(progress, 0.3, 0.4));
-  Renderer renderer;
-  const auto lift = [&](const Image& image, std::size_t state) {
-    return lifted(image, session.optimise.lift, all[state].psf.light);
-  };
-  const auto shown = [&](std::size_t content, std::size_t state) {
-    const Image image = contents[content]->image(state, renderer);
-    return content == afterContent ? image : lift(image, state);
-  };
-
+  Judge judge(session, optimised, pictures, part(progress, 0, 0.4));
   Judgement result;
   std::array<std::vector<ViewScore>, judgedContents> narrower;
-  const std::size_t heldOut = session.cameras.size();
-  for (std::size_t k = 0; k < states.shown.size(); ++k) {
-    reportProgress(progress, 0.4 + 0.6 * double(k) / double(states.shown.size()));
-    std::array<Image, judgedContents> images;
+  for (std::size_t k = 0; k < judge.count(); ++k) {
+    reportProgress(progress, 0.4 + 0.6 * double(k) / double(judge.count()));
+    const ShownViews images = judge.shown(k);
+    const WantedViews wanted = judge.wanted(k, progress);
+    judge.addScores(k, images, wanted, result.views);
+    if (k == 0) result.details = judge.details(images, wanted);
+    if (!judge.isHeldOut(k)) continue;
+    const ShownViews less = judge.shown(judge.narrowerOf(k));
     for (std::size_t content = 0; content < judgedContents; ++content)
-      if (contents[content]) images[content] = shown(content, k);
-    std::vector<std::pair<std::string, Image>> wanted{
-        {"display", lift(references.image(k, renderer), k)}};
-    if (isLive) wanted.emplace_back("ideal", lift(references.ideal(k, renderer), k));
-    if (k < pictures.size())
-      wanted.emplace_back("views",
-                          lift(readPicture(pictures[k], images[afterContent].seen, progress), k));
-    for (const auto& [name, reference] : wanted) {
-      JudgedView view{states.shown[k].camera.name, k >= heldOut, name, {}};
-      for (std::size_t content = 0; content < judgedContents; ++content)
-        if (contents[content]) view.scores[content] = scoreOf(reference, images[content]);
-      result.views.push_back(std::move(view));
-    }
-    if (k == 0)
-      result.details = {detailOf("should be seen", session.optimise.target == OptimiseTarget::light
-                                                       ? wanted.front().second
-                                                       : wanted.back().second),
-                        detailOf("before", images[beforeContent]),
-                        detailOf("after", images[afterContent])};
-    if (k < heldOut) continue;
-    for (std::size_t content = 0; content < judgedContents; ++content)
-      if (contents[content])
-        narrower[content].push_back(
-            scoreOf(wanted.front().second, shown(content, states.shown.size() + (k - heldOut))));
+      if (less[content])
+        narrower[content].push_back(scoreOf(wanted.front().second, *less[content]));
   }
   for (std::size_t k = 0; k < narrower.size(); ++k) result.ifNarrower[k] = meanOf(narrower[k]);
   return result;
