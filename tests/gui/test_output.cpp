@@ -141,6 +141,7 @@ class TestOutput : public SceneTest {
   void lightFields();
   void lightFieldsForAUnit();
   void lightFieldsAreOptimised();
+  void longOutputIsStopped();
   void lightFieldsAreAskedFor();
   void pagesAreShared();
   void theDialogSaysWhatIsWrong();
@@ -740,6 +741,32 @@ void TestOutput::lightFieldsAreOptimised() {
   auto* comparison = m_window->findChild<Comparison*>();
   QTRY_VERIFY_WITH_TIMEOUT(!comparison->isReading(), patience);
   QVERIFY2(comparison->name().contains("optimised"), qPrintable(comparison->name()));
+}
+
+/// The button beside the bar; no file is left behind.
+void TestOutput::longOutputIsStopped() {
+  Session large = m_session;
+  LightFieldParams live;
+  live.layout = Layout::live;
+  large.lightField = withDefaults(m_session.lightField, live);
+  large.display.hogels = {256, 256};
+  large.display.directions = {80, 80};
+  large.cameras[0].psf = {0.67, 5};
+  m_model->setContent(large);
+  m_model->setCurrent(large.cameras[0]);
+  const auto stopped = [&](auto* output, const char* bar, const QString& name) {
+    QSignalSpy done(output, &FileOutput::done);
+    output->save(ExportLayout::hogels, path("out/" + name));
+    QTRY_VERIFY_WITH_TIMEOUT(child<QWidget>(bar)->isVisible(), patience);
+    QTest::qWait(300);
+    child<QWidget>(bar)->findChild<QToolButton*>()->click();
+    QTRY_COMPARE_WITH_TIMEOUT(done.size(), 1, patience);
+    QVERIFY2(done[0][0].toString().contains("Stopped"), qPrintable(done[0][0].toString()));
+    QVERIFY(!QFileInfo::exists(path("out/" + name)));
+  };
+  stopped(m_window->findChild<LightFieldOutput*>(), "exportBar", "stopped.png");
+  stopped(m_window->findChild<ContentOptimiser*>(), "optimiseBar", "unsolved.png");
+  QVERIFY(QDir(path("out")).entryList({"stopped*", "unsolved*"}).isEmpty());
 }
 
 void TestOutput::lightFieldsAreAskedFor() {

@@ -35,7 +35,7 @@ QToolButton* choice(const char* name, const QString& text, const QString& help, 
 
 QWidget* choices() {
   auto* row = new QWidget;
-  row->setProperty("isSegmented", true);
+  row->setObjectName("designChoices");
   row->setAttribute(Qt::WA_StyledBackground);
   auto* layout = new QHBoxLayout(row);
   layout->setContentsMargins(2, 2, 2, 2);

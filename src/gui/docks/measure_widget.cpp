@@ -103,7 +103,6 @@ void MeasureWidget::addControls() {
   m_status->setTextFormat(Qt::PlainText);
   m_status->setWordWrap(true);
   m_fit->setObjectName("fitContentButton");
-  m_fit->setProperty("primary", true);
   m_fit->setEnabled(false);
   m_tints->setObjectName("tintBox");
   m_tints->setToolTip(

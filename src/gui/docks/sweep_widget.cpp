@@ -65,7 +65,7 @@ std::vector<double> valuesOf(const DesignParameter& parameter, double from, doub
   return values;
 }
 
-QString inDigits(double value) {
+QString inFewDigits(double value) {
   return QLocale().toString(value, 'g', 3);
 }
 
@@ -283,14 +283,14 @@ QString SweepWidget::answer() const {
 /// "all of 0.1 … 0.3".
 QString SweepWidget::placeText(const LimitSpan& span) {
   constexpr double alike = 0.05;
-  const QString from = inDigits(span.from);
-  const QString to = inDigits(span.to);
+  const QString from = inFewDigits(span.from);
+  const QString to = inFewDigits(span.to);
   const QString range = from + " … " + to;
   if (!span.beginsThere && !span.endsThere) return tr("all of %1").arg(range);
   if (!span.beginsThere) return tr("up to %1").arg(to);
   if (!span.endsThere) return tr("from %1 on").arg(from);
   if (std::abs(span.from + span.to) > alike * (span.to - span.from)) return range;
-  return "± " + inDigits(std::min(-span.from, span.to));
+  return "± " + inFewDigits(std::min(-span.from, span.to));
 }
 
 void SweepWidget::hover(std::optional<std::size_t> row) {

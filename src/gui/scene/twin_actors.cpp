@@ -50,7 +50,7 @@ class OnPanel {
   RigidTransform m_world;
 };
 
-void addLines(vtkRenderer* renderer, vtkActor* actor, vtkPolyData* data) {
+void addTwinLines(vtkRenderer* renderer, vtkActor* actor, vtkPolyData* data) {
   const vtkNew<vtkTrivialProducer> source;
   source->SetOutput(data);
   addToScene(renderer, actor, source->GetOutputPort(), SceneLevel::onPanel);
@@ -133,8 +133,8 @@ void setSquares(vtkPolyData* data, const PanelParams& display, const Twin& twin)
 }  // namespace
 
 TwinActors::TwinActors(vtkRenderer* renderer) {
-  addLines(renderer, m_squares, m_gains);
-  addLines(renderer, m_arrows, m_shifts);
+  addTwinLines(renderer, m_squares, m_gains);
+  addTwinLines(renderer, m_arrows, m_shifts);
   m_arrows->GetProperty()->SetLineWidth(1.5F);
 }
 

@@ -86,7 +86,7 @@ class ColmapLines {
 
 constexpr std::uint64_t longestLine = std::uint64_t{1} << 28;  ///< ten million points
 
-std::vector<std::string> wordsOf(const std::string& line) {
+std::vector<std::string> wordsOfLine(const std::string& line) {
   std::istringstream in(line);
   std::vector<std::string> words;
   for (std::string word; in >> word;) words.push_back(word);
@@ -113,7 +113,7 @@ std::optional<std::vector<double>> numbersOfWords(const std::vector<std::string>
 /// Returns the camera of a line such as "1 PINHOLE 640 480 500 500 320 240"; none if it is no such
 /// line.
 std::optional<ColmapCamera> cameraOfLine(const std::string& line) {
-  const std::vector<std::string> words = wordsOf(line);
+  const std::vector<std::string> words = wordsOfLine(line);
   if (words.size() < 5 || !numberOf(words[0])) return std::nullopt;
   const auto isCapital = [](char c) { return (c >= 'A' && c <= 'Z') || c == '_'; };
   if (!std::ranges::all_of(words[1], isCapital)) return std::nullopt;
@@ -133,7 +133,7 @@ std::optional<ColmapCamera> cameraOfLine(const std::string& line) {
 
 /// Returns the image of a line "ID QW QX QY QZ TX TY TZ CAMERA NAME"; none if it is no such line.
 std::optional<ColmapImage> imageOfLine(const std::string& line) {
-  const std::vector<std::string> words = wordsOf(line);
+  const std::vector<std::string> words = wordsOfLine(line);
   if (words.size() < 10) return std::nullopt;
   const auto numbers = numbersOfWords(words, 0, 9);
   if (!numbers) return std::nullopt;
@@ -258,7 +258,7 @@ std::vector<ColmapImage> imagesOf(const fs::path& file) {
     std::vector<ColmapImage> images;
     ColmapLines lines(file, longestLine);
     while (const auto line = lines.next()) {
-      if (wordsOf(*line).empty()) continue;
+      if (wordsOfLine(*line).empty()) continue;
       auto image = imageOfLine(*line);
       if (!image) throw InputError(printable(line->substr(0, 40)), "is no line of an image");
       images.push_back(std::move(*image));
@@ -329,10 +329,11 @@ ColmapKind kindOf(const fs::path& file) {
     constexpr std::uint64_t longestFirst = 1 << 16;
     ColmapLines lines(file, longestFirst);
     auto line = lines.next();
-    for (int empty = 0; empty < 100 && line && wordsOf(*line).empty(); ++empty) line = lines.next();
+    for (int empty = 0; empty < 100 && line && wordsOfLine(*line).empty(); ++empty)
+      line = lines.next();
     if (!line) return ColmapKind::none;
     if (imageOfLine(*line)) return ColmapKind::images;
-    const std::vector<std::string> words = wordsOf(*line);
+    const std::vector<std::string> words = wordsOfLine(*line);
     const bool isCamera = words.size() > 1 && modelNamed(words[1]) != nullptr;
     return isCamera ? ColmapKind::cameras : ColmapKind::none;
   } catch (const InputError&) {

@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-InputError cannotWrite(const fs::path& file, int error) {
+InputError cannotWriteImage(const fs::path& file, int error) {
   return {file.string(), "cannot be written", std::strerror(error)};
 }
 
@@ -64,7 +64,7 @@ struct ImageRowWriter::Output {
 
   Output(const fs::path& path, const ImageSpec& spec, PngEffort effort)
       : file(path), atomic(path), bytes(atomic.descriptor()) {
-    if (bytes.error() != 0) throw cannotWrite(file, bytes.error());
+    if (bytes.error() != 0) throw cannotWriteImage(file, bytes.error());
     const std::string extension = lowerCase(file.extension().string());
     if (extension == ".png")
       image = pngOutput(file.string(), spec, effort,
@@ -78,7 +78,7 @@ struct ImageRowWriter::Output {
   void close() {
     image->finish();
     bytes.close();
-    if (bytes.error() != 0) throw cannotWrite(file, bytes.error());
+    if (bytes.error() != 0) throw cannotWriteImage(file, bytes.error());
   }
 
   void finish() {

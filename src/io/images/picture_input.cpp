@@ -25,7 +25,7 @@ namespace fs = std::filesystem;
 namespace {
 
 /// Returns the first bytes of a file; fewer if it is shorter.
-std::string beginOf(const fs::path& path) {
+std::string firstBytesOf(const fs::path& path) {
   constexpr std::size_t longest = 16;
   std::string begin(longest, '\0');
   const RandomAccessFile file(path);
@@ -44,7 +44,7 @@ std::string_view trustedFormatOf(const fs::path& file) {
       {"bmp", {"BM"sv}},
       {"tiff", {"II*\0"sv, "MM\0*"sv, "II+\0"sv, "MM\0+"sv}},
       {"pnm", {"P1"sv, "P2"sv, "P3"sv, "P4"sv, "P5"sv, "P6"sv, "PF"sv, "Pf"sv}}};
-  const std::string begin = beginOf(file);
+  const std::string begin = firstBytesOf(file);
   const auto isBegin = [&begin](std::string_view signature) {
     return begin.starts_with(signature);
   };
@@ -208,7 +208,7 @@ std::string lossyFormatOf(const fs::path& file) {
     return video == "yuv4mpegpipe" ? "" : "video";  // whose frames are not encoded
   std::string begin;
   try {
-    begin = beginOf(file);
+    begin = firstBytesOf(file);
   } catch (const InputError&) {
     return {};
   }
