@@ -117,6 +117,11 @@ OptimisedContent::OptimisedContent(std::shared_ptr<LightFieldFile> content, Opti
     m_margin = std::max(m_margin, one.psf.windowSize / 2);
 }
 
+double OptimisedContent::lifted(double light) const {
+  const auto [black, white] = m_what.params.lift;
+  return black + (1 - black - white) * light;
+}
+
 void OptimisedContent::stream(const HogelRow& row, const Progress& progress) {
   solveAll(row, progress);
 }
@@ -188,10 +193,6 @@ void OptimisedContent::solveRow(Row<T>& row, const Progress& progress) {
 
 /// Writes what the hogel's texels should look like, and the weights, of one colour.
 void OptimisedContent::setTerms(int i, int j, std::size_t channel, Work& work) const {
-  const auto [black, white] = m_what.params.lift;
-  const auto lifted = [black = black, white = white](double light) {
-    return black + (1 - black - white) * light;
-  };
   double states = 0;
   for (const StatesLeakage& one : m_what.leakages) states += one.states;
   const SeenTexels* const wishes = m_what.wishes.get();
@@ -202,32 +203,33 @@ void OptimisedContent::setTerms(int i, int j, std::size_t channel, Work& work) c
     for (int v = 0; v < weights.dv; ++v)
       for (int u = 0; u < weights.du; ++u) {
         weights.row(v)[u] = weight;
-        targets.row(v)[u] = weight * lifted(work.own.row(v)[u]);
+        targets.row(v)[u] = lifted(work.own.row(v)[u]);
       }
   }
+  if (wishes != nullptr) addWishes(i, j, channel, work);
+  if (m_what.light == LightModel::linear) weighBySlopes(work);
+}
+
+/// Adds to the own light what rays of the views wish: a target is the mean of both by weight.
+void OptimisedContent::addWishes(int i, int j, std::size_t channel, Work& work) const {
   // As TwinContent does with the own light: the dimmest hogel is white.
   const Twin* const twin = m_what.twin.get();
   const double gain = twin != nullptr && twin->hasGains() ? double(twin->gainOf(i, j)[channel]) : 0;
   const double dimmed = gain > 0 ? twin->leastGain() / gain : 1;
-  if (wishes != nullptr) {
-    const std::span<const SeenTexels::Wish> all = wishes->of(i, j);
-    for (std::size_t k = 0, next = 0; k < all.size(); k = next) {
-      std::uint64_t sum = 0;  // whole numbers, whose order does not matter
-      for (next = k; next < all.size() && all[next].key == all[k].key; ++next)
-        sum += all[next].light[channel];
-      HogelTerm& term = work.terms[wishes->leakageOf(all[k])];
-      const auto texel = int(wishes->texelOf(all[k]));
-      const int u = texel % term.weights.du, v = texel / term.weights.du;
-      const auto rays = double(next - k);
-      term.weights.row(v)[u] += rays;
-      term.targets.row(v)[u] += rays * lifted(dimmed * double(sum) / (rays * SeenTexels::white));
-    }
+  const std::span<const SeenTexels::Wish> all = m_what.wishes->of(i, j);
+  for (std::size_t k = 0, next = 0; k < all.size(); k = next) {
+    std::uint64_t sum = 0;  // whole numbers, whose order does not matter
+    for (next = k; next < all.size() && all[next].key == all[k].key; ++next)
+      sum += all[next].light[channel];
+    HogelTerm& term = work.terms[m_what.wishes->leakageOf(all[k])];
+    const auto texel = int(m_what.wishes->texelOf(all[k]));
+    double& weight = term.weights.row(texel / term.weights.du)[texel % term.weights.du];
+    double& target = term.targets.row(texel / term.weights.du)[texel % term.weights.du];
+    const auto rays = double(next - k);
+    const double wish = lifted(dimmed * double(sum) / (rays * SeenTexels::white));
+    target = (weight * target + rays * wish) / (weight + rays);
+    weight += rays;
   }
-  for (auto& [leakage, weights, targets] : work.terms)
-    for (int v = 0; v < weights.dv; ++v)
-      for (int u = 0; u < weights.du; ++u)
-        if (weights.row(v)[u] > 0) targets.row(v)[u] /= weights.row(v)[u];
-  if (m_what.light == LightModel::linear) weighBySlopes(work);
 }
 
 /// Light is summed linear but judged encoded: an error counts by the slope of the encoding between

@@ -82,6 +82,8 @@ class OptimisedContent : public WrappedFile {
   void solveRow(Row<T>& row, const Progress& progress);
   template <class T>
   void solveHogel(Row<T>& row, int i, Work& work);
+  [[nodiscard]] double lifted(double light) const;
+  void addWishes(int i, int j, std::size_t channel, Work& work) const;
   void setTerms(int i, int j, std::size_t channel, Work& work) const;
   void weighBySlopes(Work& work) const;
 

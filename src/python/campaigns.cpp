@@ -58,12 +58,12 @@ py::tuple tablesOf(const std::string& text, const std::string& file, const std::
     result = writeCampaign(campaign, output);
   });
   const std::filesystem::path folder = output;
-  const auto textIn = [&](const char* name) {
+  const auto textOfMember = [&](const char* name) {
     const std::filesystem::path table = folder / name;
     return std::filesystem::is_regular_file(table) ? readTextFile(table) : std::string();
   };
-  return py::make_tuple(textIn("campaign.csv"), textIn("summary.csv"), textIn("bd.csv"),
-                        result.missing);
+  return py::make_tuple(textOfMember("campaign.csv"), textOfMember("summary.csv"),
+                        textOfMember("bd.csv"), result.missing);
 }
 
 }  // namespace

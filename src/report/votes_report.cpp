@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 namespace {
 
 /// Returns the index of a name in a list, to which it is added if it is new.
-std::size_t indexIn(std::vector<std::string>& names, const std::string& name) {
+std::size_t indexAmong(std::vector<std::string>& names, const std::string& name) {
   const auto found = std::ranges::find(names, name);
   if (found != names.end()) return std::size_t(found - names.begin());
   names.push_back(name);
@@ -57,15 +57,15 @@ void checkVote(const VotesTrial& trial, bool arePairs, const std::string& path) 
 
 /// Adds the answers of a viewer.
 void addAnswers(const VotesFile& file, Votes& votes) {
-  const std::size_t viewer = indexIn(votes.viewers, file.head.viewer);
+  const std::size_t viewer = indexAmong(votes.viewers, file.head.viewer);
   std::set<std::tuple<std::size_t, std::size_t, std::size_t>> known;
   for (std::size_t k = 0; k < file.trials.size(); ++k) {
     const VotesTrial& trial = file.trials[k];
     const std::string path = "trials[" + std::to_string(k) + "]";
     checkVote(trial, votes.arePairs, path);
-    const Vote vote{viewer, indexIn(votes.states, trial.state),
-                    indexIn(votes.contents, trial.shown[0]),
-                    indexIn(votes.contents, trial.shown[1]), trial.vote};
+    const Vote vote{viewer, indexAmong(votes.states, trial.state),
+                    indexAmong(votes.contents, trial.shown[0]),
+                    indexAmong(votes.contents, trial.shown[1]), trial.vote};
     const auto [low, high] = std::minmax(vote.first, vote.second);
     if (!known.emplace(vote.state, low, high).second)
       throw InputError(path, "answers a question again: " + trial.shown[0] + ", " + trial.shown[1] +
