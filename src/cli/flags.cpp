@@ -63,8 +63,9 @@ std::vector<Flag> sharedFlags() {
       {.name = "output",
        .value = "PATH",
        .heading = "What is written",
-       .help = "The folder for the results; for --make-cameras, --make-twin, --generate, --pack, "
-               "--export and --optimise the file (views: the folder). Folders are made if missing."},
+       .help =
+           "The folder for the results; for --make-cameras, --make-twin, --generate, --pack, "
+           "--export and --optimise the file (views: the folder). Folders are made if missing."},
       {.name = "save-session",
        .value = "FILE",
        .lastJob = "export",
