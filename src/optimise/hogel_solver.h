@@ -15,7 +15,7 @@ namespace hogelscope {
 struct HogelTerm {
   const HogelLeakage* leakage = nullptr;
   HogelLeakage::Plane weights;  ///< W ≥ 0
-  HogelLeakage::Plane targets;  ///< t, 0 … 1
+  HogelLeakage::Plane targets;  ///< t, usually 0 … 1
 };
 
 struct SolverLimits {

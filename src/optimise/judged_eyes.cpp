@@ -31,17 +31,17 @@ Image readPicture(const std::filesystem::path& path, const std::vector<std::uint
   return rounded(std::move(image), 8, true);
 }
 
-/// Takes from a view with its unrounded values the contrast that the optimised content gives away.
-Image lifted(const Image& image, const std::array<double, 2>& lift, LightModel light) {
-  const auto [black, white] = lift;
-  if (black == 0 && white == 0) return image;
+/// Takes from a view with its unrounded values what the optimised content gives away.
+Image without(const GivenAway& away, const Image& image) {
+  const auto& [light, lift, dimming] = away;
+  if (lift[0] == 0 && lift[1] == 0 && dimming == 1) return image;
   FloatImage result(image.width, image.height);
   result.seen = image.seen;
   const bool isLinear = light == LightModel::linear;
   for (std::size_t k = 0; k < image.unrounded.size(); ++k) {
     const auto code = double(image.unrounded[k]);
-    const double part = isLinear ? linearFromEncoded(code) : code / 255;
-    const double less = black + (1 - black - white) * part;
+    const double part = dimming * (isLinear ? linearFromEncoded(code) : code / 255);
+    const double less = lift[0] + (1 - lift[0] - lift[1]) * part;
     result.rgb[k] = float(isLinear ? encodedFromLinear(less) : 255 * less);
   }
   return rounded(std::move(result));
@@ -140,20 +140,23 @@ using WantedViews = std::vector<std::pair<std::string, Image>>;
 class Judge {
  public:
   Judge(const Session& session, const LightFieldParams& optimised,
-        const std::vector<std::filesystem::path>& pictures, const Progress& progress)
+        const std::vector<std::filesystem::path>& pictures, const GivenAway& away,
+        const Progress& progress)
       : m_session(session),
         m_pictures(pictures),
+        m_away(away),
         m_isLive(session.lightField.isLive()),
         m_states(judgedStates(session, displayOf(session))),
         m_all(m_states.shown) {
     std::ranges::copy(m_states.narrower, std::back_inserter(m_all));
-    const Session own = m_isLive ? prefiltered(session) : session;
+    const Session own = hasPrefilter(session) ? prefiltered(session) : session;
     Session designed = own, after = session;
     designed.twin = {};
     after.lightField = optimised;
     m_references.emplace(designed, m_states.withoutLeakage, part(progress, 0, 0.25));
     m_contents[beforeContent].emplace(session, m_all, part(progress, 0.25, 0.5));
-    if (m_isLive) m_contents[prefilteredContent].emplace(own, m_all, part(progress, 0.5, 0.75));
+    if (hasPrefilter(session))
+      m_contents[prefilteredContent].emplace(own, m_all, part(progress, 0.5, 0.75));
     m_contents[afterContent].emplace(after, m_all, part(progress, 0.75, 1));
   }
 
@@ -170,18 +173,19 @@ class Judge {
     for (std::size_t content = 0; content < judgedContents; ++content)
       if (m_contents[content]) {
         views[content] = m_contents[content]->image(state, m_renderer);
-        if (content != afterContent) views[content] = lift(*views[content], state);
+        if (content != afterContent) views[content] = without(m_away, *views[content]);
       }
     return views;
   }
 
   [[nodiscard]] WantedViews wanted(std::size_t eye, const Progress& progress) {
     const Image onDisplay = m_references->image(eye, m_renderer);
-    WantedViews views{{"display", lift(onDisplay, eye)}};
-    if (m_isLive) views.emplace_back("ideal", lift(m_references->ideal(eye, m_renderer), eye));
+    WantedViews views{{"display", without(m_away, onDisplay)}};
+    if (m_isLive)
+      views.emplace_back("ideal", without(m_away, m_references->ideal(eye, m_renderer)));
     if (eye < m_pictures.size())
       views.emplace_back("views",
-                         lift(readPicture(m_pictures[eye], onDisplay.seen, progress), eye));
+                         without(m_away, readPicture(m_pictures[eye], onDisplay.seen, progress)));
     return views;
   }
 
@@ -203,12 +207,9 @@ class Judge {
   }
 
  private:
-  [[nodiscard]] Image lift(const Image& image, std::size_t state) const {
-    return lifted(image, m_session.optimise.lift, m_all[state].psf.light);
-  }
-
   const Session& m_session;
   const std::vector<std::filesystem::path>& m_pictures;
+  GivenAway m_away;
   bool m_isLive;
   JudgedStates m_states;
   std::vector<CameraState> m_all;  ///< those that are shown, then those with less leakage
@@ -283,8 +284,9 @@ Session prefiltered(Session session) {
 }
 
 Judgement judge(const Session& session, const LightFieldParams& optimised,
-                const std::vector<std::filesystem::path>& pictures, const Progress& progress) {
-  Judge judge(session, optimised, pictures, part(progress, 0, 0.4));
+                const std::vector<std::filesystem::path>& pictures, const GivenAway& away,
+                const Progress& progress) {
+  Judge judge(session, optimised, pictures, away, part(progress, 0, 0.4));
   Judgement result;
   std::array<std::vector<ViewScore>, judgedContents> narrower;
   for (std::size_t k = 0; k < judge.count(); ++k) {

@@ -25,7 +25,8 @@ struct ViewScore {
 
 /// A view's scores against one reference: "display", the own (of a live scene the prefiltered)
 /// light on the display as designed and without leakage; "ideal", the ideal view; "views", the
-/// state's picture. Where `lift` gives contrast away, all but the optimised view are lifted alike.
+/// state's picture. What the content gives away (GivenAway) is taken from all but the optimised
+/// view.
 struct JudgedView {
   std::string state;
   bool isHeldOut = false;
@@ -63,12 +64,26 @@ double stepOfDirections(const Session& session, const PanelParams& display);
 ViewScore meanOf(const std::vector<JudgedView>& views, const std::string& reference, bool isHeldOut,
                  JudgedContent content);
 
+/// Whether the own light of directional pixels is prefiltered: that of a live scene on the display
+/// as designed. For a unit it is that of the unit's own middle rays.
+inline bool hasPrefilter(const Session& session) {
+  return session.lightField.isLive() && session.twin.isZero();
+}
+
 /// Returns a session's light field with the prefilter for its directional pixels, of a live scene.
 Session prefiltered(Session session);
+
+/// What the optimised content gives away; all other views are compared with that taken from them.
+struct GivenAway {
+  LightModel light = LightModel::encoded;  ///< in which contrast is given away
+  std::array<double, 2> lift{};            ///< OptimiseParams::lift
+  double dimming = 1;                      ///< of a unit with gains: its dimmest hogel is white
+};
 
 /// Judges the light field `optimised` of a session. `pictures` are those of its states for
 /// OptimiseTarget::views, else empty. Throws InputError, Cancelled.
 Judgement judge(const Session& session, const LightFieldParams& optimised,
-                const std::vector<std::filesystem::path>& pictures, const Progress& progress);
+                const std::vector<std::filesystem::path>& pictures, const GivenAway& away,
+                const Progress& progress);
 
 }  // namespace hogelscope

@@ -176,7 +176,7 @@ std::string targetText(const OptimisedContent& content, const Session& session) 
   std::string text = "<p>Each hogel shows what comes closest to ";
   switch (params.target) {
     case OptimiseTarget::light:
-      text += session.lightField.isLive()
+      text += hasPrefilter(session)
                   ? "its own light, the mean of " + std::to_string(params.samples) +
                         " rays of each directional pixel"
                   : std::string("its own light");
@@ -252,8 +252,10 @@ std::string csv(const Optimised& result, const OptimisedContent& content) {
 }
 
 std::string meansText(const Optimised& result) {
+  const std::vector<Means> all = meansOf(result.judgement);
+  if (all.empty()) return "no eye sees the display: nothing is compared\n";
   std::string text;
-  for (const auto& [isHeldOut, reference, scores] : meansOf(result.judgement)) {
+  for (const auto& [isHeldOut, reference, scores] : all) {
     text += std::string(isHeldOut ? "held-out eyes" : "states") + ", against " + whatIs(reference) +
             ":";
     for (std::size_t k = 0; k < judgedContents; ++k)

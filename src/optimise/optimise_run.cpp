@@ -95,27 +95,34 @@ std::vector<StatesLeakage> leakagesOf(const Session& session, const LightFieldSi
 }
 
 std::string decibels(double value) {
-  return rounded(value, 2) + " dB";
+  return std::isinf(value) ? "identical pictures" : rounded(value, 2) + " dB";
+}
+
+/// Returns the part of their light that all hogels of a unit with gains are left.
+double dimmingOf(const OptimisedContent& content) {
+  const Twin* const twin = content.what().twin.get();
+  return twin != nullptr && twin->hasGains() ? twin->leastGain() : 1;
 }
 
 /// Returns the warnings that hold of a result.
 std::vector<std::string> warningsOf(const Session& session, const PanelParams& display,
                                     const OptimisedContent& content, const Judgement& judgement) {
   std::vector<std::string> warnings;
+  const LightFieldSize size = content.size();
   for (const StatesLeakage& one : content.what().leakages)
-    if (constexpr double little = 0.01; leastTransfer(one.psf) < little)
+    if (constexpr double little = 0.01; size.du * size.dv > 1 && leastTransfer(one.psf) < little)
       warnings.push_back("sigma " + numberText(one.psf.sigma) +
                          ": some detail over directions does not pass the leakage at all, and no "
                          "content brings it back");
-  const bool isLive = session.lightField.isLive();
-  const JudgedContent base = isLive ? prefilteredContent : beforeContent;
+  const bool isPrefiltered = hasPrefilter(session);
+  const JudgedContent base = isPrefiltered ? prefilteredContent : beforeContent;
   const std::string reference =
       session.optimise.target == OptimiseTarget::ideal ? "ideal" : "display";
   const double without = meanOf(judgement.views, reference, true, base).psnr;
   const double with = meanOf(judgement.views, reference, true, afterContent).psnr;
-  if (with < without)
+  if (with < without && session.optimise.target != OptimiseTarget::views)
     warnings.push_back("eyes that it was not optimised for see " + decibels(without - with) +
-                       " less than " + (isLive ? "of the prefiltered content" : "before") +
+                       " less than " + (isPrefiltered ? "of the prefiltered content" : "before") +
                        (session.optimise.target == OptimiseTarget::light
                             ? std::string()
                             : ": give states at most " +
@@ -157,14 +164,27 @@ LightFieldParams writtenLightField(const OptimiseRequest& request, const LightFi
   return written;
 }
 
-/// Returns a key that depends on all that the solved rows do.
-std::string keyOf(const Session& session, const LightFieldFile& file) {
-  std::string text = std::string(programVersion()) + "\n" + textOf(session);
-  std::error_code none;
-  for (const std::vector<fs::path>& files : {filesOf(session, file), picturesOf(session)})
-    for (const fs::path& path : files)
-      text += "\n" + fs::absolute(path, none).string() + " " + fileIdentity(path);
-  return contentHash(text);
+/// Returns a key that depends on all that the solved rows do, and not on where the files are.
+std::string keyOf(const Session& session, const LightFieldFile& file, const Progress& progress) {
+  std::vector<fs::path> files = filesOf(session, file);
+  std::ranges::copy(picturesOf(session), std::back_inserter(files));
+  return contentHash(std::string(programVersion()) + "\n" + textOf(session) + "\n" +
+                     (files.empty() ? "" : contentHash(files, progress)));
+}
+
+fs::path rowsOf(const OptimiseRequest& request) {
+  return request.output.string() + ".rows";
+}
+
+/// Throws InputError for names that would be found wrong after all has been solved.
+void checkNames(const OptimiseRequest& request) {
+  if (request.output.string().find(frameMark) != std::string::npos)
+    throw InputError(request.output.string(),
+                     "has the number of a frame: optimised content is one frame");
+  std::vector<fs::path> files{tableOf(request), pageOf(request)};
+  if (request.layout != ExportLayout::views) files.push_back(request.output);
+  for (const fs::path& file : files)
+    if (isFolder(file)) throw InputError(file.string(), "is a folder: choose another --output");
 }
 
 void writePack(const OptimiseRequest& request, OptimisedContent& content, const std::string& key,
@@ -173,6 +193,7 @@ void writePack(const OptimiseRequest& request, OptimisedContent& content, const 
   PackPlan plan = planPack(request.session.lightField, content, request.session.display, memory);
   plan.header.source += " optimised " + key;
   pack(content, plan, request.output, 0, progress);
+  if (content.figures().weight == 0) content.solveShard(progress);  // the store was there already
 }
 
 }  // namespace
@@ -183,15 +204,23 @@ std::vector<fs::path> picturesOf(const Session& session) {
   const std::string& folder = session.optimise.views;
   if (folder.empty())
     throw InputError("optimise.views", "is missing: a folder with a picture for each state");
+  if (!isFolder(folder)) throw InputError("optimise.views", folder + " is no folder of pictures");
   const std::vector<fs::path> files = filesIn(folder);
   for (const CameraState& state : session.cameras) {
     const std::string name = fileNameOf(state.camera.name);
-    const auto isOwn = [&](const fs::path& file) { return file.stem() == name; };
-    const auto found = std::ranges::find_if(files, isOwn);
-    if (found == files.end())
+    std::vector<fs::path> found;
+    std::ranges::copy_if(files, std::back_inserter(found),
+                         [&](const fs::path& file) { return file.stem() == name; });
+    const auto png = std::ranges::find(found, ".png", &fs::path::extension);
+    if (png != found.end()) found = {*png};
+    if (found.empty())
       throw InputError(
           folder, "has no picture " + name + ".png of the state \"" + state.camera.name + "\"");
-    pictures.push_back(*found);
+    if (found.size() > 1)
+      throw InputError(folder, "has several files " + name +
+                                   ".…: which is the picture of the state \"" + state.camera.name +
+                                   "\"? Call it " + name + ".png");
+    pictures.push_back(found.front());
   }
   return pictures;
 }
@@ -229,24 +258,25 @@ std::shared_ptr<OptimisedContent> optimisedContent(const Session& session,
   const OptimiseParams& params = session.optimise;
   const bool isLive = session.lightField.isLive();
   const std::vector<fs::path> pictures = picturesOf(session);
-  const Session own = isLive ? prefiltered(session) : session;
+  const Session own = hasPrefilter(session) ? prefiltered(session) : session;
   std::shared_ptr<LightFieldFile> file =
       openLightField(own.lightField, own.display, part(progress, 0, 0.2));
   ViewSource source = unloadedViewSource(session, *file, part(progress, 0.2, 0.3));
   Optimisation what{params, lightOf(session), {}, nullptr, nullptr};
   std::vector<std::size_t> ofStates;
   what.leakages = leakagesOf(session, file->size(), ofStates);
+  const bool isOfViews = params.target != OptimiseTarget::light;
+  if (isOfViews && isLive)  // the ideal views read no texels
+    source.lightField = file->source({.memory = allowedMemory() / 4}, part(progress, 0.3, 0.4));
   if (source.twin) {
-    checkTwin(*source.twin, params.target != OptimiseTarget::light);
+    checkTwin(*source.twin, isOfViews);
     file = std::make_shared<TwinContent>(file, source.display, source.twin);
     what.twin = source.twin;
   }
-  if (params.target != OptimiseTarget::light) {
+  if (isOfViews) {
     std::vector<TargetView> views;
     for (std::size_t k = 0; k < session.cameras.size(); ++k)
       views.push_back({session.cameras[k], ofStates[k], pictures.empty() ? "" : pictures[k]});
-    if (isLive)  // the ideal views read no texels
-      source.lightField = file->source({.memory = allowedMemory() / 4}, part(progress, 0.3, 0.4));
     what.wishes = std::make_shared<SeenTexels>(source, views, what.leakages.size(), what.light,
                                                allowedMemory() / 4, part(progress, 0.4, 1));
     if (!(what.wishes->meanWeight() > 0))
@@ -260,8 +290,10 @@ std::shared_ptr<OptimisedContent> optimisedContent(const Session& session,
 }
 
 fs::path tableOf(const OptimiseRequest& request) {
-  return request.layout == ExportLayout::views ? fs::path(request.output.string() + ".csv")
-                                               : fs::path(request.output).replace_extension(".csv");
+  if (request.layout != ExportLayout::views)
+    return fs::path(request.output).replace_extension(".csv");
+  const bool endsInSlash = !request.output.has_filename();
+  return (endsInSlash ? request.output.parent_path() : request.output).string() + ".csv";
 }
 
 fs::path pageOf(const OptimiseRequest& request) {
@@ -271,20 +303,19 @@ fs::path pageOf(const OptimiseRequest& request) {
 std::optional<Optimised> optimise(const OptimiseRequest& request, OptimisedContent& content,
                                   const Progress& progress) {
   const Progress solving = part(progress, 0, 0.7);
+  checkNames(request);
   if (request.layout == ExportLayout::quilt)
     (void)quiltTilesFor(content.size(), request.output, request.session.lightField);
   makeFolderOf(request.output);
   if (request.layout == ExportLayout::pack) {
-    const std::string key = keyOf(request.session, content);
-    const auto rows =
-        std::make_shared<SolvedRows>(request.output.string() + ".rows", key, request.shard);
+    const std::string key = keyOf(request.session, content, part(progress, 0, 0.02));
+    const auto rows = std::make_shared<SolvedRows>(rowsOf(request), key, request.shard);
     content.keepRows(rows);
     if (request.shard) {
       content.solveShard(progress);
       return std::nullopt;
     }
     writePack(request, content, key, solving);
-    rows->remove();
   } else {
     exportAs(request.layout, request.session, content, request.output, solving);
   }
@@ -292,13 +323,15 @@ std::optional<Optimised> optimise(const OptimiseRequest& request, OptimisedConte
   const LightFieldSize size = content.size();
   session.display.hogels = {size.nx, size.ny};
   session.display.directions = {size.du, size.dv};
-  Optimised result{
-      content.figures(),
-      judge(session, writtenLightField(request, size), picturesOf(session), part(progress, 0.7, 1)),
-      {}};
+  const GivenAway away{content.what().light, session.optimise.lift, dimmingOf(content)};
+  Optimised result{content.figures(),
+                   judge(session, writtenLightField(request, size), picturesOf(session), away,
+                         part(progress, 0.7, 1)),
+                   {}};
   result.warnings = warningsOf(session, displayOf(session), content, result.judgement);
   writeTextFile(tableOf(request), csv(result, content));
   writeTextFile(pageOf(request), optimisePage(request, result, content));
+  if (request.layout == ExportLayout::pack) SolvedRows::remove(rowsOf(request));
   return result;
 }
 

@@ -8,6 +8,7 @@
 #include "core/base/error.h"
 #include "core/base/text.h"
 #include "core/engine/hogel_pixels.h"
+#include "io/files/system_limits.h"
 #include "io/images/image_file.h"
 
 namespace hogelscope {
@@ -53,7 +54,7 @@ CameraState SeenTexels::refined(const CameraState& state) const {
     own.cx = (own.cx + 0.5) * each - 0.5;
     own.cy = (own.cy + 0.5) * each - 0.5;
   }
-  result.psf = {};
+  result.psf.windowSize = 1;
   return result;
 }
 
@@ -64,6 +65,16 @@ std::vector<std::uint16_t> SeenTexels::lightOf(const TargetView& view, const Cam
   std::vector<std::uint16_t> light;
   if (view.picture.empty()) {
     each = 1;
+    const auto values = 3 * double(refined.camera.res[0]) * refined.camera.res[1];
+    if (const double needed = values * double(sizeof(float) + sizeof(std::uint16_t));
+        needed > double(allowedMemory()))
+      throw InputError("sampling.samplesPerPixel", "the ideal view of \"" + view.state.camera.name +
+                                                       "\" with all its samples "
+                                                       "needs " +
+                                                       bytesText(std::size_t(needed)) +
+                                                       " of memory, " + bytesText(allowedMemory()) +
+                                                       " are allowed: take fewer");
+    light.reserve(std::size_t(values));
     RenderJob job = m_source.job(refined);
     job.sampling.samplesPerPixel = 1;
     job.isIdeal = true;

@@ -22,6 +22,7 @@ SolvedRows::SolvedRows(fs::path folder, const std::string& key, const std::optio
     : m_folder(std::move(folder)), m_head(std::string(rowHead) + key + "\n"), m_shard(shard) {
   makeFolder(m_folder);
   for (const fs::path& entry : entriesOf(m_folder)) {
+    if (entry.filename().string().starts_with('.')) continue;  // of a process that writes, or died
     if (entry.extension() != rowEnding)
       throw InputError(entry.string(), "is no row of hogels: move it, or choose another --output");
     requireOwnFile(entry, rowHead);
@@ -46,11 +47,12 @@ void SolvedRows::write(int j, const std::string& bytes) const {
   file.commit();
 }
 
-void SolvedRows::remove() const {
+void SolvedRows::remove(const fs::path& folder) {
+  removeLeftovers(folder);
   std::error_code none;
-  for (const fs::path& entry : entriesOf(m_folder))
+  for (const fs::path& entry : entriesOf(folder))
     if (entry.extension() == rowEnding) fs::remove(entry, none);
-  fs::remove(m_folder, none);
+  fs::remove(folder, none);
 }
 
 }  // namespace hogelscope

@@ -18,15 +18,14 @@ class SolvedRows {
   SolvedRows(std::filesystem::path folder, const std::string& key,
              const std::optional<Shard>& shard);
 
-  [[nodiscard]] const std::filesystem::path& folder() const { return m_folder; }
   /// Whether this process solves the row.
   [[nodiscard]] bool isOwn(int j) const { return !m_shard || m_shard->has(std::size_t(j)); }
   /// Returns a row's bytes; none if it is not there.
   [[nodiscard]] std::optional<std::string> read(int j) const;
   /// Writes a row, which is safe on disk once this returns. Throws InputError (full disk).
   void write(int j, const std::string& bytes) const;
-  /// Deletes the rows and the folder, after the result has been written.
-  void remove() const;
+  /// Deletes the rows in a folder, and the folder, after the result has been written.
+  static void remove(const std::filesystem::path& folder);
 
  private:
   [[nodiscard]] std::filesystem::path fileOf(int j) const;

@@ -31,6 +31,7 @@ std::tuple<std::string, std::vector<std::string>> optimiseSession(const Document
     const auto content = optimisedContent(request.session, part(hear, 0, 0.1));
     const FilesInUse inUse(filesOf(request.session, *content));
     const FilesInUse pictures(picturesOf(request.session));
+    checkOutputs({request.output, tableOf(request), pageOf(request)});
     const Optimised result = *optimise(request, *content, part(hear, 0.1, 1));
     return std::tuple(csv(result, *content), result.warnings);
   });

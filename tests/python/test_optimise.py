@@ -194,7 +194,12 @@ class Optimise(FolderTest):
             cameras[2]["res"] = [30, 36]
             hs.optimise(self.session(cameras, target="views", views=self.path("pictures")),
                         self.path("other"), layout="views")
-        os.remove(self.path("pictures", "c.png"))
+        os.rename(self.path("pictures", "c.png"), self.path("pictures", "c.jpg"))
+        shutil.copy(self.path("pictures", "c.jpg"), self.path("pictures", "c.tif"))
+        with self.assertRaisesRegex(hs.InputError, "has several files c.…"):
+            hs.optimise(session, self.path("other"), layout="views")
+        for name in ("c.jpg", "c.tif"):
+            os.remove(self.path("pictures", name))
         with self.assertRaisesRegex(hs.InputError, 'has no picture c.png of the state "c"'):
             hs.optimise(session, self.path("other"), layout="views")
 
@@ -216,6 +221,28 @@ class Optimise(FolderTest):
         self.assert_is_least(hs.open(output).array().astype(float),
                              [(cameras[0]["psf"], weights, (light + kept * self.own) / weights)])
         self.assertEqual({row["reference"] for row in self.rows}, {"display", "ideal"})
+
+    def test_ideal_views_through_a_unit(self):
+        """The scene is asked for them, not the light field that is corrected for the unit."""
+        linear = {"sigma": 0.67, "windowSize": 5, "light": "linear"}
+        session = self.session([state("a", [0.01, 0, 0.6], **linear)], ROOM, target="ideal",
+                               iterations=50)
+        session["twin"] = {"random": {"gain": {"sigma": 0.1}, "shift": {"sigma": 0.0002}}}
+        self.optimised(session)
+        ideal = [row for row in self.rows if row["view"] == "a" and row["reference"] == "ideal"]
+        self.assertGreater(ideal[0]["after_psnr"], ideal[0]["before_psnr"])
+
+    def test_light_of_states_without_leakage_does_not_matter(self):
+        linear = {"sigma": 0.67, "windowSize": 5, "light": "linear"}
+        rows = []
+        for light in ("encoded", "linear"):
+            session = self.session([state("a", [0, 0, 0.6], **linear),
+                                    state("b", [0, 0, 0.5], windowSize=1, light=light)],
+                                   lift=[0.2, 0.1], iterations=50)
+            self.optimised(session)
+            shutil.rmtree(self.path("optimised"))
+            rows.append([row["after_psnr"] for row in self.rows if row["view"] in "ab"])
+        self.assertEqual(*rows)
 
     def test_without_leakage_is_the_prefiltered_export(self):
         session = self.session([state("a", [0, 0, 0.6], windowSize=1)], ROOM)
@@ -281,12 +308,16 @@ class Optimise(FolderTest):
             while run.poll() is None and len(os.listdir(rows) if os.path.exists(rows) else []) < 5:
                 time.sleep(0.01)
             run.kill()
-        kept = {name: os.stat(os.path.join(rows, name)).st_mtime_ns for name in os.listdir(rows)}
+        with open(os.path.join(rows, ".hogelscope-x.part"), "w", encoding="utf-8"):
+            pass  # what a process leaves that dies while it writes
+        kept = {name: os.stat(os.path.join(rows, name)).st_mtime_ns for name in os.listdir(rows)
+                if name.endswith(".row")}
         self.assertTrue(5 <= len(kept) < 30 and not os.path.exists(self.path("killed.tif")), kept)
         subprocess.run([*command, self.path("killed.tif")], check=True)
         subprocess.run([*command, self.path("whole.tif")], check=True)
         self.assertEqual(read(self.path("killed.tif")), read(self.path("whole.tif")))
         self.assertEqual(read(self.path("killed.csv")), read(self.path("whole.csv")))
+        self.assertFalse(os.path.exists(rows))
 
     def test_units(self):
         """Gains, dead pixels and shifts: dead ones are black, and seen through the unit the content
@@ -360,6 +391,11 @@ class Optimise(FolderTest):
             hs.optimise(session, self.path("o"), layout="mosaic")
         with self.assertRaisesRegex(hs.InputError, "o.png: is the name of a store"):
             hs.optimise(session, self.path("o.png"), layout="pack")
+        session = self.session([state("a", [0, 0, 0.6], **psf)])
+        os.mkdir(self.path("taken.csv"))
+        for output, said in (("taken", "taken.csv: is a folder"), ("o{T}", "the number of a frame")):
+            with self.assertRaisesRegex(hs.InputError, said):
+                hs.optimise(session, self.path(output), layout="views")
         self.assertFalse(os.path.exists(self.path("o")))
         self.assertIn("--shard: is for --optimise pack", refusal(
             "--optimise", "hogels", "--session", "data/room.json", "--output", self.path("o.png"),

@@ -67,12 +67,12 @@ class OptimiseDialog : public QDialog {
 };
 
 /// Returns "held-out eyes 29.08 → 42.04 dB": against the display without leakage.
-QString gainText(const Optimised& result, bool isLive) {
+QString gainText(const Optimised& result, bool isPrefiltered) {
   const auto psnr = [&](JudgedContent content) {
     return QString::number(meanOf(result.judgement.views, "display", true, content).psnr, 'f', 2);
   };
   return ContentOptimiser::tr("held-out eyes %1 → %2 dB")
-      .arg(psnr(isLive ? prefilteredContent : beforeContent), psnr(afterContent));
+      .arg(psnr(isPrefiltered ? prefilteredContent : beforeContent), psnr(afterContent));
 }
 
 }  // namespace
@@ -127,7 +127,7 @@ void ContentOptimiser::save(ExportLayout layout, const QString& output) {
     checkOutputs({request.output, tableOf(request), pageOf(request)});
     const Optimised result = *optimise(request, *content, part(progress, 0.1, 1));
     const QString line =
-        tr("Saved %1").arg(output) + " · " + gainText(result, session.lightField.isLive()) + " · " +
+        tr("Saved %1").arg(output) + " · " + gainText(result, hasPrefilter(session)) + " · " +
         tr("page %1").arg(QFileInfo(QString::fromStdString(pageOf(request).string())).fileName());
     return [this, line, output] {
       Q_EMIT done(line);
