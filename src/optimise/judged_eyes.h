@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What optimised content is worth: the views of the states, and of eyes that it was not optimised
-// for, before and after, against what they should be.
+// Measures what optimised content is worth: the views of the states, and of eyes that it was not
+// optimised for, before and after, against what they should be.
 #pragma once
 
 #include <array>
@@ -73,7 +73,8 @@ inline bool hasPrefilter(const Session& session) {
 /// Returns a session's light field with the prefilter for its directional pixels, of a live scene.
 Session prefiltered(Session session);
 
-/// What the optimised content gives away; all other views are compared with that taken from them.
+/// Says what the optimised content gives away; all other views are compared with that taken from
+/// them.
 struct GivenAway {
   LightModel light = LightModel::encoded;  ///< in which contrast is given away
   std::array<double, 2> lift{};            ///< OptimiseParams::lift

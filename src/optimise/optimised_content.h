@@ -23,7 +23,7 @@ struct StatesLeakage {
   int states = 0;  ///< that have it
 };
 
-/// What is solved for each hogel.
+/// The problem that is solved for each hogel.
 struct Optimisation {
   OptimiseParams params;
   LightModel light = LightModel::encoded;  ///< what leaks, and what `params.lift` scales
@@ -63,7 +63,7 @@ class OptimisedContent : public WrappedFile {
 
   /// Solves the rows of `rows` that are this process's, and keeps them there alone.
   void solveShard(const Progress& progress) { solveAll({}, progress); }
-  /// From now on rows that are there are taken, and those that are solved kept.
+  /// Takes the rows that are there from now on, and keeps those that are solved.
   void keepRows(std::shared_ptr<const SolvedRows> rows) { m_rows = std::move(rows); }
 
   /// Returns the figures of what was streamed last.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What pictures of a display's views ask of its texels. With the nearest texel and leakage inside
-// the hogel, the pixel p of a view says only "the texel that my ray meets should look like p".
+// Collects what pictures of a display's views ask of its texels. With the nearest texel and leakage
+// inside the hogel, the pixel p of a view says only "the texel that my ray meets should look like
+// p".
 #pragma once
 
 #include <cstdint>

@@ -232,6 +232,15 @@ class Optimise(FolderTest):
         ideal = [row for row in self.rows if row["view"] == "a" and row["reference"] == "ideal"]
         self.assertGreater(ideal[0]["after_psnr"], ideal[0]["before_psnr"])
 
+    def test_views_are_compared_as_bright_as_a_unit_can_be(self):
+        """Gains alone are made up for wholly, but for brightness: the dimmest hogel is white."""
+        session = self.session([state("a", [0, 0, 0.6], windowSize=1, light="linear")])
+        session["twin"] = {"random": {"gain": {"sigma": 0.1}}}
+        self.optimised(session)
+        for row in self.rows:
+            self.assertGreater(row["after_psnr"], 48)  # both are rounded to 8 bits
+            self.assertLess(row["before_psnr"], 40)
+
     def test_light_of_states_without_leakage_does_not_matter(self):
         linear = {"sigma": 0.67, "windowSize": 5, "light": "linear"}
         rows = []

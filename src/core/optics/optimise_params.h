@@ -10,8 +10,8 @@
 
 namespace hogelscope {
 
-/// What the views should look like: light: each directional pixel as the light field's own; ideal:
-/// the ideal views of the states; views: a picture for each state.
+/// Says what the views should look like. light: each directional pixel as the light field's own;
+/// ideal: the ideal views of the states; views: a picture for each state.
 enum class OptimiseTarget { light, ideal, views };
 
 struct OptimiseParams {
