@@ -4,10 +4,12 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <filesystem>
 #include <limits>
 
 #include "core/base/error.h"
 #include "core/optics/eyes.h"
+#include "io/files/folders.h"
 #include "report/page/test_names.h"
 #include "report/report_run.h"
 
@@ -26,20 +28,25 @@ std::string curveOf(const std::string& name) {
   return {name.begin(), std::find_if(name.rbegin(), name.rend(), isLetter).base()};
 }
 
-}  // namespace
-
-std::vector<std::optional<double>> ratesOf(const Session& session,
-                                           const std::vector<std::string>& tests) {
-  std::vector<std::optional<double>> rates;
-  for (const std::string& test : tests) {
-    rates.emplace_back();
-    try {
-      rates.back() = rateOfFiles(openTests(session, {test})[0]);
-    } catch (const InputError&) {  // it is not there any more
-    }
-  }
-  return rates;
+/// Returns the file that a report in `folder` means by a test's name, from the report's folder or,
+/// as the command line writes it, from the current one.
+std::string fileOfTest(const std::string& folder, const std::string& name) {
+  const std::string beside = besideDocument(folder, name);
+  std::error_code error;
+  const auto exists = [&](const std::string& file) { return std::filesystem::exists(file, error); };
+  return exists(name) && !exists(beside) ? name : beside;
 }
+
+/// Returns the rate of a test; none if its file is not there any more.
+std::optional<double> rateOf(const Session& session, const std::string& test) {
+  try {
+    return rateOfFiles(openTests(session, {test})[0]);
+  } catch (const InputError&) {
+    return {};
+  }
+}
+
+}  // namespace
 
 void ReportData::begin() {
   plotted.clear();
@@ -54,8 +61,14 @@ void ReportData::begin() {
   }
 }
 
-void ReportData::take(const StoredReport& stored, const std::vector<std::optional<double>>& rates) {
-  tests = testsOf(stored.rows);
+void ReportData::take(const StoredReport& stored) {
+  const std::vector<std::string> names = testsOf(stored.rows);
+  tests.clear();
+  std::vector<std::optional<double>> rates;
+  for (const std::string& name : names) {
+    tests.push_back(fileOfTest(folder, name));
+    rates.push_back(rateOf(session, tests.back()));
+  }
   const Session known = session;
   session.cameras.clear();
   for (std::size_t row = 0; row < stored.rows.size(); row += tests.size()) {
@@ -71,8 +84,8 @@ void ReportData::take(const StoredReport& stored, const std::vector<std::optiona
   summaries = summariseTests(rows, metrics);
   setRates(rates);
   for (const TestRate& rate : stored.rates)
-    for (std::size_t k = 0; k < tests.size(); ++k)
-      if (tests[k] == rate.test) plotted[k].rate = rate.rate;
+    for (std::size_t k = 0; k < names.size(); ++k)
+      if (names[k] == rate.test) plotted[k].rate = rate.rate;
 }
 
 void ReportData::setRates(const std::vector<std::optional<double>>& rates) {

@@ -29,9 +29,8 @@ struct ReportData {
   /// Adds rows that say that nothing is compared yet, and the names of the tests.
   void begin();
   /// Takes the rows, states and rates of the report in the folder. States that the session does not
-  /// have are there with their name and eye. `rates` are those of testsOf(stored.rows) where they
-  /// are known.
-  void take(const StoredReport& stored, const std::vector<std::optional<double>>& rates);
+  /// have are there with their name and eye. The tests may not be there any more.
+  void take(const StoredReport& stored);
   /// Sets the rates of the tests, where they are known.
   void setRates(const std::vector<std::optional<double>>& rates);
   [[nodiscard]] ReportOrder order() const { return {tests.size()}; }
@@ -48,9 +47,5 @@ struct ReportData {
   /// Returns the index of a row's state in another session, by its name; none if it is not there.
   [[nodiscard]] std::optional<std::size_t> stateIn(const Session& other, std::size_t state) const;
 };
-
-/// Returns the rates of the test files that have one. A report that is read may outlive its tests.
-std::vector<std::optional<double>> ratesOf(const Session& session,
-                                           const std::vector<std::string>& tests);
 
 }  // namespace hogelscope

@@ -10,6 +10,7 @@
 #include "core/optics/sampling.h"
 #include "io/documents/session_file.h"
 #include "io/files/content_hash.h"
+#include "io/files/folders.h"
 #include "io/images/image_file.h"
 #include "report/versions.h"
 
@@ -30,9 +31,8 @@ std::string contentOf(Session session) {
 }
 
 /// Returns a text such as "scene.png, 64×64 hogels of 32×32 directions, XXH3-128 …".
-std::string described(const LightFieldParams& lightField, const LightFieldSize& size,
+std::string described(const std::string& name, const LightFieldSize& size,
                       const std::string& hash) {
-  const std::string name = lightField.isLive() ? "live " + lightField.source : lightField.file;
   const std::string content = hash.empty() ? "" : ", " + hash;
   return name + ", " + pairText(size.nx, size.ny) + " hogels of " + pairText(size.du, size.dv) +
          " directions" + content;
@@ -56,6 +56,10 @@ std::string timeNow() {
 
 }  // namespace
 
+std::string nameIn(const ReportRequest& request, const std::string& file) {
+  return request.hasRelativeNames ? relativeTo(request.output + "/report.html", file) : file;
+}
+
 ReportFacts factsOf(const ReportRequest& request, FileHashes& hashes, const Progress& progress) {
   const Session& session = request.session;
   ReportFacts facts;
@@ -68,14 +72,16 @@ ReportFacts factsOf(const ReportRequest& request, FileHashes& hashes, const Prog
   const auto lightField = [&](const std::string& name, const Session& of,
                               const LightFieldFile& file) {
     const std::string hash = contentOf(file, hashes, progress);
-    line(name, described(of.lightField, file.size(), hash));
+    const LightFieldParams& params = of.lightField;
+    line(name, described(params.isLive() ? "live " + params.source : nameIn(request, params.file),
+                         file.size(), hash));
     all += hash;
     const auto files = sessionFiles(of);
     if (!files.empty()) all += hashes.of(files, progress);
   };
   if (!request.sessionFile.empty())
-    line("Session",
-         request.sessionFile + ", XXH3-128 " + hashes.of({request.sessionFile}, progress));
+    line("Session", nameIn(request, request.sessionFile) + ", XXH3-128 " +
+                        hashes.of({request.sessionFile}, progress));
   lightField("Light field", session, *request.file);
   if (request.isAgainstIdeal)
     line("Reference", session.lightField.source == CaptureContent::sourceName
@@ -111,14 +117,14 @@ ReportFacts factsOf(const ReportRequest& request, FileHashes& hashes, const Prog
 std::vector<std::string> warningsOf(const ReportRequest& request) {
   std::vector<std::string> warnings;
   for (const ReportTest& test : request.tests)
-    if (!test.order.empty()) warnings.push_back(test.order);
+    if (!test.order.empty()) warnings.push_back(test.name + ": " + test.order);
   const std::vector<std::filesystem::path> files = request.file->files();
   // A scene's textures are no pictures of its views; the views of a folder are of one format.
   if (request.session.lightField.isLive() || files.empty()) return warnings;
   const std::string format = lossyFormatOf(files.front());
   if (!format.empty())
     warnings.push_back("the reference is itself a lossy file (" + format + ", " +
-                       files.front().string() +
+                       nameIn(request, files.front().string()) +
                        "): every figure also has its errors; use the lossless original");
   return warnings;
 }

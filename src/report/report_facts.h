@@ -14,6 +14,9 @@ struct ReportFacts {
   std::string key;
 };
 
+/// Returns a file's name as the report has it (ReportRequest::hasRelativeNames).
+std::string nameIn(const ReportRequest& request, const std::string& file);
+
 /// Collects the facts; hashes the light fields' files unless cached. Throws InputError, Cancelled.
 ReportFacts factsOf(const ReportRequest& request, FileHashes& hashes, const Progress& progress);
 

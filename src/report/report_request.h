@@ -24,7 +24,7 @@ struct ReportTest {
   std::string name;
   Session session;
   std::shared_ptr<LightFieldFile> file;
-  std::string order{};  ///< a sentence on the order of its views, by orderTests(); "": as it is
+  std::string order{};  ///< what orderTests() says of the order of its views; "": as it is
   std::optional<ViewSource> unloaded{};  ///< if the twin's maps have been read
 };
 
@@ -40,9 +40,10 @@ struct ReportRequest {
   bool isAgainstIdeal = false;  ///< the reference is the ideal view of a live scene
   /// The tests are twins of the session's display, of which moveMetric() is the last metric.
   bool isAgainstDesign = false;
-  std::string output;   ///< the output folder, created if missing
-  std::string command;  ///< the command that requested the report, for its page
-  bool images = false;  ///< also write every image
+  std::string output;             ///< the output folder, created if missing
+  bool hasRelativeNames = false;  ///< files are named from the output folder, which may move
+  std::string command;            ///< the command that requested the report, for its page
+  bool images = false;            ///< also write every image
   /// A page with the light fields, page.html of the folder, to which the report's page links.
   bool hasPage = false;
   /// The part of one of several processes: its states' rows and sums stay in the folder for the run

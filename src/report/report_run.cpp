@@ -539,6 +539,7 @@ Report makeReport(const ReportRequest& request, const ReportListener& listener) 
     const FilesInUse document({exact.sessionFile});  // which may be saved while the report is made
     checkOutputs(filesOf(exact));
   }
+  for (ReportTest& test : exact.tests) test.name = nameIn(exact, test.name);
   return ReportRun(exact, listener).run();
 }
 

@@ -32,7 +32,7 @@ void orderTests(ReportRequest& request, const Progress& progress) {
     const bool isGiven = !isSameOrder(lightField, session.lightField) &&
                          !isSameOrder(lightField, LightFieldParams());
     if (isGiven) {
-      test.order = test.name + ": its views are those of the reference only with " + order +
+      test.order = "its views are those of the reference only with " + order +
                    ", which its session does not say";
       continue;
     }
@@ -40,8 +40,8 @@ void orderTests(ReportRequest& request, const Progress& progress) {
     lightField.rows = found->rows;
     lightField.columns = found->columns;
     test.file = openLightField(lightField, test.session.display);
-    test.order = test.name + ": its views are read with " + order +
-                 ", because these are the views of the reference";
+    test.order =
+        "its views are read with " + order + ", because these are the views of the reference";
   }
 }
 

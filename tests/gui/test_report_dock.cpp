@@ -5,6 +5,7 @@
 #include <QApplication>
 #include <QClipboard>
 #include <QComboBox>
+#include <QDirIterator>
 #include <QDockWidget>
 #include <QDoubleSpinBox>
 #include <QHeaderView>
@@ -92,6 +93,7 @@ class TestReportDock : public QObject {
   void namesAreShort();
   void picturesOfTheChosenState();
   void opensAReport();
+  void aReportMovesWithItsTests();
   void opensAReportOfOtherStates();
   void whatIsNoReport();
   void narrowDocks();
@@ -629,8 +631,38 @@ void TestReportDock::opensAReport() {
   QVERIFY(child<QAbstractButton>("openPageButton")->isEnabled());
   QSignalSpy compared(m_dock, &ReportDock::comparisonAsked);
   click("worstStateButton");
-  QCOMPARE(compared.last()[0].toString(), QString("b.png"));
+  QCOMPARE(compared.last()[0].toString(), m_folder->filePath("b.png"));
   QCOMPARE(child<QComboBox>("stateBox")->currentText(), state(1));
+}
+
+/// Its files name the tests from its folder, not from the root, so that both can be moved together.
+void TestReportDock::aReportMovesWithItsTests() {
+  open();
+  m_dock->addTest(m_folder->filePath("b.png"));
+  click("makeReportButton");
+  QTRY_VERIFY_WITH_TIMEOUT(child<QLabel>("reportNote")->text().contains("mean of the finite"),
+                           patience);
+  int read = 0;
+  for (QDirIterator file("s-report", QDir::Files, QDirIterator::Subdirectories); file.hasNext();) {
+    const QString name = file.next();
+    if (name.endsWith(".png")) continue;
+    QVERIFY2(!contentOf(name).contains(m_folder->path().toUtf8()), qPrintable(name));
+    ++read;
+  }
+  QVERIFY(read > 5);
+  QVERIFY(contentOf("s-report/report.csv").contains("s0,../b.png,"));
+  const QByteArray page = contentOf("s-report/report.html");
+  for (const char* fact : {">../s.json, ", ">../a.png, ", ">../b.png, "})
+    QVERIFY2(page.contains(fact), fact);
+  QDir(".").mkdir("moved");
+  for (const char* name : {"s-report", "b.png"})
+    QVERIFY(QDir(".").rename(name, QString("moved/") + name));
+  forgetReport();
+  m_dock->openReport(m_folder->filePath("moved/s-report"));
+  QTRY_COMPARE_WITH_TIMEOUT(states().size(), stateCount, patience);
+  QSignalSpy compared(m_dock, &ReportDock::comparisonAsked);
+  click("worstStateButton");
+  QCOMPARE(compared.last()[0].toString(), m_folder->filePath("moved/b.png"));
 }
 
 /// The session's states are others by now: the report's are shown by name, and nothing follows.
@@ -824,7 +856,7 @@ void TestReportDock::unsavedEditsHaveAHeading() {
   click("makeReportButton");
   QVERIFY(!child<QAbstractButton>("openPageButton")->isEnabled());
   QTRY_VERIFY_WITH_TIMEOUT(child<QAbstractButton>("openPageButton")->isEnabled(), patience);
-  const QString name = m_folder->filePath("s.json") + " with unsaved changes";
+  const QString name = "s.json with unsaved changes";
   QCOMPARE(heading("s-report"), "Perceived views of " + name);
   QVERIFY(contentOf("s-report/report.html")
               .contains(("made in the window, from " + name + "<").toUtf8()));
@@ -832,7 +864,7 @@ void TestReportDock::unsavedEditsHaveAHeading() {
   child<QAbstractButton>("openPageButton")->setEnabled(false);
   click("makeReportButton");
   QTRY_VERIFY_WITH_TIMEOUT(child<QAbstractButton>("openPageButton")->isEnabled(), patience);
-  QCOMPARE(heading("s-report"), "Perceived views of " + m_folder->filePath("s.json"));
+  QCOMPARE(heading("s-report"), QString("Perceived views of s.json"));
   QVERIFY(contentOf("s-report/report.html").contains("s.json, XXH3-128 "));
 }
 

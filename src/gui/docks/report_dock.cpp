@@ -38,7 +38,7 @@ namespace {
 
 /// Returns the session's name for the report's heading.
 std::string nameOf(const SessionModel& model) {
-  const std::string file = model.file().toStdString();
+  const std::string file = QFileInfo(model.file()).fileName().toStdString();
   if (file.empty()) return "an untitled session";
   return model.isModified() ? file + " with unsaved changes" : file;
 }
@@ -345,6 +345,7 @@ void ReportDock::start() {
   request.name = nameOf(*m_model);
   if (!isEdited) request.sessionFile = m_model->file().toStdString();
   request.output = made.folder;
+  request.hasRelativeNames = true;
   request.command = "made in the window" + (isEdited ? ", from " + request.name : "");
   const bool isAsDesigned = !m_reference || m_reference->twin == nullptr;
   if (isAsDesigned == made.session.twin.isZero()) request.reference = m_reference;
@@ -372,7 +373,9 @@ void ReportDock::start() {
                        "open it again");
     QStringList orders;
     for (const ReportTest& test : request.tests)
-      if (!test.order.empty()) orders << QString::fromStdString(test.order) + ".";
+      if (!test.order.empty())
+        orders << QFileInfo(QString::fromStdString(test.name)).fileName() + ": " +
+                      QString::fromStdString(test.order) + ".";
     return [this, rates, orders, report = makeReport(request, listener)] {
       finish(report, rates);
       if (!orders.isEmpty())
@@ -409,8 +412,7 @@ void ReportDock::openReport(const QString& folder) {
     ReportData made{m_model->session(), folder.toStdString(), true};
     made.metrics = metricsOf(made.session.metrics);
     m_reading->start([this, made](const Progress&) mutable {
-      const StoredReport stored = readReport(made.folder, made.metrics);
-      made.take(stored, ratesOf(made.session, testsOf(stored.rows)));
+      made.take(readReport(made.folder, made.metrics));
       return [this, made] { showRead(made); };
     });
   } catch (const InputError& error) {
