@@ -2,11 +2,14 @@
 // Drives the real window over meshes: opening, parameters, the mesh in the 3-D scene, the ideal
 // view.
 #include <QLineEdit>
+#include <QMenu>
+#include <QSignalSpy>
 #include <cmath>
 
 #include "gui/docks/light_field_dock.h"
 #include "gui/scene/mesh_actors.h"
 #include "gui/scene/scene_controller.h"
+#include "gui/session/library_menu.h"
 #include "gui/view/image_widget.h"
 #include "gui/view/view_worker.h"
 #include "tests/core/rendered.h"
@@ -281,6 +284,24 @@ class TestLiveScenes : public SceneTest {
     field->setValue(0.04);
     QCOMPARE(focus(), 0.04);
     QTRY_VERIFY_WITH_TIMEOUT(showsWhatIsTrue() && view()->image() != sharp, patience);
+  }
+
+  /// The menu keeps the display of another session, and names the file and the field.
+  void aDamagedLibraryIsTold() {
+    const QString file = m_folder.filePath("library.json");
+    for (const auto& [content, expected] :
+         {std::pair(R"({"hogelscopeDisplays": 2})", "hogelscopeDisplays"),
+          std::pair(R"({"hogelscopeDisplays": 1, "displays": [{"file": 7}]})", "displays[0].file"),
+          std::pair("{", "library.json: ")}) {
+      writeFile(file, content);
+      QMenu menu;
+      LibraryMenu library(&menu, file, nullptr);
+      QSignalSpy told(&library, &LibraryMenu::failed);
+      QTRY_COMPARE_WITH_TIMEOUT(told.size(), 1, patience);
+      const QString line = told[0][0].toString();
+      QVERIFY2(line.startsWith(file) && line.contains(expected), qPrintable(line));
+      QCOMPARE(menu.actions().size(), 2);  // a separator, and another session's display
+    }
   }
 
   void aDamagedMeshIsTold() {

@@ -4,6 +4,7 @@
 #include <QCoreApplication>
 #include <QFileInfo>
 
+#include "core/base/error.h"
 #include "gui/widgets/command.h"
 #include "gui/widgets/dialogs.h"
 #include "gui/widgets/guarded.h"
@@ -21,15 +22,20 @@ QString sampleFile(const QString& name) {
   return {};
 }
 
-LibraryMenu::LibraryMenu(QMenu* menu, QObject* parent) : QObject(parent), m_menu(menu) {
-  std::vector<LibraryDisplay> library;
-  const QString file = sampleFile("displays/library");
-  if (!file.isEmpty()) guarded(this, [&] { library = loadDisplayLibrary(file.toStdString()); });
+LibraryMenu::LibraryMenu(QMenu* menu, const QString& library, QObject* parent)
+    : QObject(parent), m_menu(menu) {
+  std::vector<LibraryDisplay> displays;
+  try {
+    if (!library.isEmpty()) displays = loadDisplayLibrary(library.toStdString());
+  } catch (const InputError& error) {  // told when there is a window that listens
+    QMetaObject::invokeMethod(
+        this, [this, line = QString(error.what())] { Q_EMIT failed(line); }, Qt::QueuedConnection);
+  }
   int digit = Qt::Key_1;
   const auto keyOf = [](int key) {
     return QKeySequence(Qt::CTRL | Qt::ALT | Qt::SHIFT | Qt::Key(key));
   };
-  for (const LibraryDisplay& display : library) {
+  for (const LibraryDisplay& display : displays) {
     const QString id = QString::fromStdString(display.file);
     const QString name = QString::fromStdString(display.name);
     QString help = tr("From %1.").arg(QString::fromStdString(display.source));

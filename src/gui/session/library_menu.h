@@ -19,7 +19,9 @@ class LibraryMenu : public QObject {
   Q_OBJECT
 
  public:
-  LibraryMenu(QMenu* menu, QObject* parent);
+  /// Adds a command for each display of a library.json; only the last command if it is "" or
+  /// damaged, which failed() tells.
+  LibraryMenu(QMenu* menu, const QString& library, QObject* parent);
 
  Q_SIGNALS:
   void chosen(const QString& name, const hogelscope::DisplayParams& display);

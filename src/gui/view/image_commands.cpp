@@ -104,7 +104,7 @@ void ImageCommands::addComparisons(QMenu* menu) {
                    m_comparison->startDesigned();
                  });
   m_library = menu->addMenu(tr("See this content &on"));
-  auto* library = new LibraryMenu(m_library, this);
+  auto* library = new LibraryMenu(m_library, sampleFile("displays/library"), this);
   connect(library, &LibraryMenu::chosen, this, &ImageCommands::seeOn);
   connect(library, &LibraryMenu::failed, this, &ImageCommands::failed);
   m_stop = addCommand(menu,
