@@ -149,7 +149,7 @@ double vtkHogelFieldSource::GetLength() const
 {
   const double size = std::max(this->Display.size[0], this->Display.size[1]);
   const double fov = std::max(this->Display.fov[0], this->Display.fov[1]);
-  return size * std::min(1.0, 0.25 / std::tan(hogelscope::radians(fov) / 2));
+  return size * std::min(1.0, 0.125 / std::tan(hogelscope::radians(fov) / 2));
 }
 
 hogelscope::Vec3 vtkHogelFieldSource::GetLabelPosition() const

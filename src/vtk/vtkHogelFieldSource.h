@@ -28,8 +28,8 @@ public:
   void SetHogel(const hogelscope::PanelParams& display, int i, int j);
 
   /**
-   * Get the distance from the panel to the field's end in metres. It makes the end about half as
-   * wide as the panel.
+   * Get the distance from the panel to the field's end in metres. It makes the end about a quarter
+   * as wide as the panel, which it stands in front of.
    */
   double GetLength() const;
 
