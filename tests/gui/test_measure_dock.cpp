@@ -10,6 +10,7 @@
 #include <QSet>
 #include <QSlider>
 #include <QToolButton>
+#include <QToolTip>
 #include <QUndoStack>
 
 #include "chart/depth_budget_chart.h"
@@ -20,6 +21,7 @@
 #include "gui/docks/measure_widget.h"
 #include "gui/docks/sweep_widget.h"
 #include "gui/view/image_widget.h"
+#include "gui/widgets/colours.h"
 #include "tests/gui/window_test.h"
 
 using namespace hogelscope;
@@ -187,9 +189,27 @@ class TestMeasureDock : public WindowTest {
 
   /// The style sheet has no name left that the program does not know: Qt would drop all of it.
   void readsTheStyleSheet() {
-    const QString sheet = qApp->styleSheet();
+    const QString sheet = m_window->styleSheet();
     QVERIFY(sheet.contains("QSlider"));
     QVERIFY(!sheet.mid(sheet.indexOf("*/")).contains('@'));
+  }
+
+  /// The windows that belong to the main window have its style sheet, too.
+  void tipsAndMenusAreStyled() {
+    QToolTip::showText({100, 100}, "tip", m_window.get());
+    auto* menu = child<QMenu>("fileMenu");
+    menu->popup({200, 200});
+    const auto borderOf = [](QWidget* widget) {
+      return widget->grab().toImage().pixelColor(widget->width() / 2, 0).name();
+    };
+    const QWidgetList windows = QApplication::topLevelWidgets();
+    const auto tip = std::ranges::find_if(
+        windows, [](const QWidget* one) { return one->inherits("QTipLabel"); });
+    QVERIFY(tip != windows.end());
+    QCOMPARE(borderOf(*tip), tokens().strongLine.name());
+    QCOMPARE(borderOf(menu), tokens().strongLine.name());
+    menu->hide();
+    QToolTip::hideText();
   }
 
   void turnsLeakageOnAndOff() {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // No test: says when, after the process was made, the window and its first picture are there, and
-// what an edit, a turn of the scene, the drag of a mesh and playing frames cost.
-// window_speed FILE [WIDTHxHEIGHT]
+// what an edit, the engine's share of it, a turn of the scene, the drag of a mesh and playing
+// frames cost. window_speed FILE [WIDTHxHEIGHT]
 #include <vtkCallbackCommand.h>
 #include <vtkGenericOpenGLRenderWindow.h>
 #include <vtkNew.h>
@@ -17,6 +17,7 @@
 #include <ctime>
 #include <vector>
 
+#include "core/engine/renderer.h"
 #include "gui/app/main_window.h"
 #include "gui/scene/display_scene.h"
 #include "gui/scene/scene_controller.h"
@@ -155,6 +156,12 @@ int main(int argc, char** argv) {
     QApplication::processEvents();
   });
   QTest::qWait(500);
+  Renderer renderer;
+  RenderJob job = *window.findChild<SceneController*>()->job();
+  sayCost("its picture by the engine", [&](int k) {
+    job.state.psf.sigma = 0.5 + 0.01 * k;
+    (void)renderer.render(job);
+  });
   DisplayScene& scene = window.findChild<SceneController*>()->scene();
   std::printf("%-28s %5.1f\n", "scenes drawn for an edit", scenes / 30.0);
   const QSize size = sceneWidget->deviceSize();

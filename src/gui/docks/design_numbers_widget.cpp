@@ -66,8 +66,6 @@ int fitCell(NumberCell& cell) {
     cell.caption += ", " + cell.unit;
     cell.unit.clear();
   }
-  // A caption has two lines where it needs them.
-  cell.label->setWordWrap(true);
   while (!fits() && font.pixelSize() > textFont(TextSize::caption).pixelSize())
     font.setPixelSize(font.pixelSize() - 1);
   return font.pixelSize();

@@ -142,12 +142,10 @@ void DisplayScene::paintOver(QPainter& painter, bool hasArrows) const {
 }
 
 void DisplayScene::redraw() {
+  if (m_drawnAt == changedAt()) return m_widget.update();  // what is painted over it
   m_renderer->ResetCameraClippingRange();
-  const vtkMTimeType last = changedAt();
-  if (std::exchange(m_drawnAt, last) != last)
-    m_widget.redraw();
-  else
-    m_widget.update();  // what is painted over it
+  m_drawnAt = changedAt();
+  m_widget.redraw();
 }
 
 /// Returns VTK's time of the last change of the eye or of anything in the scene.

@@ -57,7 +57,10 @@ SceneController::SceneController(QMenu* menu, VtkWidget* widget, QLabel* readout
   connectScene();
   m_stateDelay.setSingleShot(true);
   m_stateDelay.setInterval(200);
-  connect(&m_stateDelay, &QTimer::timeout, this, &SceneController::requestStates);
+  connect(&m_stateDelay, &QTimer::timeout, this, [this] {
+    renderPanel();
+    requestStates();
+  });
   showText();
   m_scene->reset();
 }
@@ -285,7 +288,8 @@ void SceneController::connectModel() {
   connect(m_model, &SessionModel::edited, this, [this] {
     tracePixel();
     markHogel();
-    refresh();
+    showModel();
+    m_stateDelay.start();  // the panel's picture has the state's leakage
   });
 }
 
@@ -345,9 +349,13 @@ void SceneController::showPreview(const std::vector<CameraState>& states) {
 
 /// Updates the scene after a change of the model.
 void SceneController::refresh() {
+  showModel();
+  renderPanel();
+}
+
+void SceneController::showModel() {
   m_scene->show(m_display, m_model->session().cameras, m_model->currentIndex());
   showMesh();
-  renderPanel();
   renderStates();
   showText();
 }

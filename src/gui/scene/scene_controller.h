@@ -85,6 +85,7 @@ class SceneController : public QObject {
   void connectModel();
   void connectScene();
   void refresh();
+  void showModel();
   void showMesh();
   void moveMesh(const Vec3& ball);
   [[nodiscard]] Vec3 toMeshBall() const;
@@ -119,7 +120,7 @@ class SceneController : public QObject {
   QString m_pickText;
   bool m_isPanelDark = false;  ///< no light reaches the scene's eye, so the grid marks the panel
   std::vector<std::size_t> m_watched;  ///< states whose images the list shows
-  QTimer m_stateDelay;                 ///< since the last edit
+  QTimer m_stateDelay;                 ///< since the last edit, before small pictures are made
   Task m_pixelSearch;                  ///< finds the pixels that see the hogel
 };
 

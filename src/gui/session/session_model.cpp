@@ -142,8 +142,8 @@ void SessionModel::edit(const QString& name, const std::function<void(Session&)>
 }
 
 void SessionModel::setCurrent(const CameraState& state) {
-  if (m_current >= m_session.cameras.size()) return;
-  const std::string field = changedField(m_session.cameras[m_current], state);
+  if (m_current >= m_session.cameras.size() || state == current()) return;
+  const std::string field = changedField(current(), state);
   edit(tr("Change %1").arg(QString::fromStdString(field)),
        [&](Session& session) { session.cameras[m_current] = state; });
 }
@@ -167,6 +167,7 @@ void SessionModel::editMarked(const std::function<void(CameraState&)>& action) {
 }
 
 void SessionModel::setContent(const Session& content) {
+  if (content == m_session) return;
   const std::string field = changedField(m_session, content);
   push(tr("Change %1").arg(QString::fromStdString(field)), {content, m_current});
 }

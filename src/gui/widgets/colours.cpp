@@ -8,6 +8,7 @@
 #include <QIconEngine>
 #include <QPainter>
 #include <QPalette>
+#include <QPixmapCache>
 #include <QProxyStyle>
 #include <QSettings>
 #include <QSvgRenderer>
@@ -123,17 +124,23 @@ class SvgIcon : public QIconEngine {
     if (source.open(QIODevice::ReadOnly)) m_svg = source.readAll();
   }
 
-  void paint(QPainter* painter, const QRect& rect, QIcon::Mode mode, QIcon::State) override {
+  void paint(QPainter* painter, const QRect& rect, QIcon::Mode mode, QIcon::State state) override {
+    const QSize pixels = rect.size() * painter->device()->devicePixelRatio();
+    painter->drawPixmap(rect, pixmap(pixels, mode, state));
+  }
+  QPixmap pixmap(const QSize& size, QIcon::Mode mode, QIcon::State /*state*/) override {
     const Tokens& t = tokens();
     const QColor ink = mode == QIcon::Disabled ? t.text3 : mode == QIcon::Active ? t.text : t.text2;
-    QSvgRenderer(QByteArray(m_svg).replace("currentColor", ink.name().toLatin1()))
-        .render(painter, QRectF(rect));
-  }
-  QPixmap pixmap(const QSize& size, QIcon::Mode mode, QIcon::State state) override {
-    QPixmap pixmap(size);
+    const QString key =
+        QString("%1 %2 %3 %4").arg(m_file, ink.name()).arg(size.width()).arg(size.height());
+    QPixmap pixmap;
+    if (QPixmapCache::find(key, &pixmap)) return pixmap;
+    pixmap = QPixmap(size);
     pixmap.fill(Qt::transparent);
     QPainter painter(&pixmap);
-    paint(&painter, QRect({}, size), mode, state);
+    QSvgRenderer(QByteArray(m_svg).replace("currentColor", ink.name().toLatin1()))
+        .render(&painter, QRectF({}, size));
+    QPixmapCache::insert(key, pixmap);
     return pixmap;
   }
   [[nodiscard]] QIconEngine* clone() const override { return new SvgIcon(m_file); }
@@ -162,10 +169,14 @@ class Style : public QProxyStyle {
   }
 };
 
+/// The style sheet is of the windows, not of the application: Qt styles each widget of an
+/// application's sheet once for each of its ancestors.
 void apply() {
   QApplication::setFont(textFont(TextSize::base));
   QApplication::setPalette(paletteOf(*current));
-  qApp->setStyleSheet(styleSheetOf(*current));
+  const QString sheet = styleSheetOf(*current);
+  for (QWidget* window : QApplication::topLevelWidgets())
+    if (window->parentWidget() == nullptr) window->setStyleSheet(sheet);
 }
 
 /// Also applies the saved scheme.

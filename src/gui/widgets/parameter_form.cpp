@@ -39,6 +39,8 @@ class BoxRow : public QWidget {
  public:
   using QWidget::QWidget;
   std::vector<Box*> boxes;
+  std::vector<double> defaults;
+  QString defaultText;  ///< of the defaults
 };
 
 /// A field's name, with the unit of all of its numbers, and before it the dot of a value that is
@@ -405,21 +407,14 @@ template <class Box, class Number>
 void ParameterForm::boxes(const Field& field, std::span<Number> values, bool isList) {
   BoxRow<Box>* row = editor(field, [&] { return newBoxes<Box>(field, values.size(), isList); });
   if (skipsRow(row)) return;
+  if (m_pass == Pass::compare) return compareBoxes<Box, Number>(field, row, values);
   const std::vector<Number> before(values.begin(), values.end());
   const ShownUnit unit = shownUnit(field);
   const Range range = unit.range(field.range);
-  QStringList words;
-  bool isShown = true;
   for (std::size_t k = 0; k < values.size(); ++k) {
     Box* box = row->boxes[k];
     const Number shown = unit.factor == 1 ? values[k] : Number(unit.factor * values[k]);
-    if (m_pass == Pass::compare) {
-      const bool isGiven = !field.range.mayBeLeftOut || values[k] >= field.range.min;
-      words << (isGiven ? (box->textFromValue(shown) + " " + unit.text).trimmed()
-                        : box->specialValueText());
-      isShown &= isGiven ? std::abs(double(box->value()) - double(shown)) < 1e-12
-                         : box->value() < range.min;
-    } else if (m_pass == Pass::apply) {
+    if (m_pass == Pass::apply) {
       if (box == m_edited || row == m_edited)
         values[k] = Number(valueInRange(*box, range) / unit.factor);
       const auto link = m_links.find(toQString(field.name));
@@ -427,11 +422,37 @@ void ParameterForm::boxes(const Field& field, std::span<Number> values, bool isL
           link->button->isChecked())
         link->pair.follow(field.range, std::span<const Number>(before), values);
     } else {
-      const QSignalBlocker quiet(box);
-      box->setValue(shown);
+      box->showValue(shown);
     }
   }
-  if (m_pass == Pass::compare) takeDefault(field, row, words.join(", "), isShown);
+}
+
+template <class Box, class Number>
+void ParameterForm::compareBoxes(const Field& field, BoxRow<Box>* row,
+                                 std::span<const Number> defaults) {
+  const ShownUnit unit = shownUnit(field);
+  const Range range = unit.range(field.range);
+  const auto isGiven = [&](Number value) {
+    return !field.range.mayBeLeftOut || value >= field.range.min;
+  };
+  bool isShown = true;
+  QStringList words;
+  const bool areKnown =
+      std::ranges::all_of(defaults, isGiven) && std::ranges::equal(row->defaults, defaults);
+  for (std::size_t k = 0; k < defaults.size(); ++k) {
+    const Box* box = row->boxes[k];
+    const Number number = unit.factor == 1 ? defaults[k] : Number(unit.factor * defaults[k]);
+    isShown &= isGiven(defaults[k]) ? std::abs(double(box->value()) - double(number)) < 1e-12
+                                    : box->value() < range.min;
+    if (!areKnown)  // to write numbers takes long
+      words << (isGiven(defaults[k]) ? (box->textFromValue(number) + " " + unit.text).trimmed()
+                                     : box->specialValueText());
+  }
+  if (!areKnown) {
+    row->defaults.assign(defaults.begin(), defaults.end());
+    row->defaultText = words.join(", ");
+  }
+  takeDefault(field, row, row->defaultText, isShown);
 }
 
 void ParameterForm::numbers(const Field& field, std::span<double> values, bool isList) {

@@ -89,6 +89,8 @@ class ParameterForm : public QWidget, private ParameterVisitor {
 
   template <class Box, class Number>
   void boxes(const Field& field, std::span<Number> values, bool isList);
+  template <class Box, class Number>
+  void compareBoxes(const Field& field, BoxRow<Box>* row, std::span<const Number> defaults);
   template <class Box>
   BoxRow<Box>* newBoxes(const Field& field, std::size_t count, bool isList);
   template <class Make>

@@ -10,6 +10,7 @@
 #include <QMouseEvent>
 #include <QPainter>
 #include <QPainterPath>
+#include <QSignalBlocker>
 #include <QSpinBox>
 #include <QToolTip>
 #include <algorithm>
@@ -51,6 +52,17 @@ class ScrubField : public Box {
   void mayBeLeftOut() {
     this->setMinimum(this->minimum() - this->singleStep());
     this->setSpecialValueText(QObject::tr("not given"));
+  }
+
+  /// Sets the value without a signal, and replaces a text that is being typed. Nothing is done
+  /// where the field has the value: Qt rounds it by writing it, which takes long for a form of
+  /// fields.
+  void showValue(Value value) {
+    if (value == m_given && this->value() == m_rounded && !this->lineEdit()->isModified()) return;
+    const QSignalBlocker quiet(this);
+    this->setValue(value);
+    m_given = value;
+    m_rounded = this->value();
   }
 
   /// Returns whole numbers as they are, others with five digits or the whole integer part; the
@@ -228,6 +240,8 @@ class ScrubField : public Box {
     return shown;
   }
 
+  std::optional<Value> m_given;     ///< by showValue()
+  Value m_rounded{};                ///< what Qt made of it
   std::optional<double> m_pressed;  ///< where the mouse was last, on the screen
   double m_dragged = 0;             ///< the value of the drag, before it is rounded
   bool m_isDragged = false;

@@ -95,6 +95,7 @@ Section::Section(QWidget* content, QDockWidget* dock, QWidget* parent)
 }
 
 void Section::setSummary(const QString& summary) {
+  if (summary == m_header->accessibleDescription()) return;
   m_header->setAccessibleDescription(summary);
   m_header->update();
 }
