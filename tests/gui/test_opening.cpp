@@ -103,6 +103,13 @@ class TestOpening : public HabitsTest {
     QVERIFY(label("problemLabel").contains("how many of them are hogels"));
     QCOMPARE(preview()->image(),  // the picture itself
              QImage(path("p.png")).convertToFormat(QImage::Format_RGB888));
+    for (const auto& [layout, question] :
+         {std::pair(Layout::quilt, "How many views?"), std::pair(Layout::mosaic, "How many views?"),
+          std::pair(Layout::lenslets, "How many lenslets?")}) {
+      field<QComboBox>("layout")->setCurrentIndex(int(layout));
+      QTRY_VERIFY_WITH_TIMEOUT(isSettled(), patience);
+      QVERIFY2(label("headlineLabel").startsWith(question), qPrintable(label("headlineLabel")));
+    }
     QTest::keyClick(dialog(), Qt::Key_Escape);
     QTRY_VERIFY_WITH_TIMEOUT(dialog() == nullptr, patience);
     QVERIFY(model().session() == before);

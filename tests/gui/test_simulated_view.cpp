@@ -312,7 +312,9 @@ class TestSimulatedView : public QObject {
     QTest::qWait(100);
     QCOMPARE(make->mapTo(m_window.get(), QPoint()).y(), top);  // it does not jump
     QCOMPARE(add->text(), QString("A&dd other.png"));
+    add->setFocus();
     add->click();
+    QVERIFY(make->hasFocus());
     auto* tests = m_window->findChild<QListWidget*>("testList");
     QCOMPARE(tests->count(), 1);
     QCOMPARE(tests->item(0)->text(), m_otherFile);

@@ -125,7 +125,10 @@ void ReportDock::connectTools() {
     const QString folder = chooseOutputFolder(this, tr("Folder of the report"));
     if (!folder.isEmpty()) setFolder(folder);
   });
-  connect(m_ui->addComparedButton, &QPushButton::clicked, this, [this] { addTest(m_offered); });
+  connect(m_ui->addComparedButton, &QPushButton::clicked, this, [this] {
+    addTest(m_offered);
+    m_ui->makeReportButton->setFocus();  // the button hides, and Qt would choose the next field
+  });
   connect(m_ui->removeTestButton, &QPushButton::clicked, this, [this] {
     delete m_ui->testList->currentItem();
     showIdle();

@@ -38,7 +38,15 @@ QString escaped(const std::string& text) {
   return QString::fromStdString(text).toHtmlEscaped();
 }
 
-QString headlineOf(const Opening& opening) {
+/// Returns the headline while the size is not known.
+QString questionOf(Layout layout) {
+  return (layout == Layout::hogels     ? OpeningDialog::tr("How many hogels? &nbsp;")
+          : layout == Layout::lenslets ? OpeningDialog::tr("How many lenslets? &nbsp;")
+                                       : OpeningDialog::tr("How many views? &nbsp;")) +
+         markOf({});
+}
+
+QString headlineOf(const Opening& opening, Layout asked) {
   const auto& [nx, ny, du, dv] = opening.size;
   const bool isOnSheet = opening.around.session.display.sheet.has_value();
   for (const Assumption& each : opening.assumptions)
@@ -50,7 +58,7 @@ QString headlineOf(const Opening& opening) {
                               .arg(du)
                               .arg(dv)) +
              markOf(each);
-  return OpeningDialog::tr("How many hogels? &nbsp;") + markOf({});
+  return questionOf(asked);
 }
 
 /// Lists what the headline does not say, with the reasons of what the user has to check. A lens
@@ -95,7 +103,10 @@ OpeningDialog::OpeningDialog(const QString& file, const Opening& opening, const 
   connect(m_ui->displaysBox, &QComboBox::activated, this, &OpeningDialog::chooseDisplay);
   connect(m_task, &Task::stopped, this, &OpeningDialog::takeNext);
   connect(m_task, &Task::failed, this, [this](const QString& line) {
-    if (!m_isStale) showProblem(line);
+    if (!m_isStale) {
+      m_ui->headlineLabel->setText(questionOf(m_shown.lightField.layout));
+      showProblem(line);
+    }
     takeNext();
   });
   showOpening(opening);
@@ -219,7 +230,7 @@ void OpeningDialog::showOpening(const Opening& opening) {
   } catch (const InputError& error) {
     shown.problem = error.what();
   }
-  m_ui->headlineLabel->setText(headlineOf(shown));
+  m_ui->headlineLabel->setText(headlineOf(shown, m_shown.lightField.layout));
   m_ui->assumedLabel->setText(tableOf(shown));
   for (QLabel* label : {m_ui->headlineLabel, m_ui->assumedLabel})
     label->setToolTip(reasonsOf(opening));
