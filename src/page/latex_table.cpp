@@ -56,13 +56,6 @@ double widthOf(std::string_view character) {
                                                                               : 3.4;
 }
 
-std::vector<std::string> charactersOf(const std::string& text) {
-  std::vector<std::string> characters;
-  for (std::size_t at = 0; at < text.size(); at += characters.back().size())
-    characters.push_back(text.substr(at, characterAt(text, at).bytes));
-  return characters;
-}
-
 /// Returns the width of a text in points: of 8 points, whose letters are 0.85 as wide as those of
 /// 10, and 2 % for kerning that is not there.
 double texWidth(const std::string& text) {

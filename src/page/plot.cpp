@@ -110,24 +110,13 @@ std::string svgGroup(std::size_t series) {
   return "<g class=\"points\" fill=\"" + colour + "\" color=\"" + colour + "\">";
 }
 
-namespace {
-
-std::vector<std::string> lettersOf(const std::string& text) {
-  std::vector<std::string> letters;
-  for (std::size_t at = 0; at < text.size(); at += letters.back().size())
-    letters.push_back(text.substr(at, characterAt(text, at).bytes));
-  return letters;
-}
-
-}  // namespace
-
 double textWidth(const std::string& text) {
-  return letterWidth * double(lettersOf(text).size());
+  return letterWidth * double(charactersOf(text).size());
 }
 
 std::string shortName(const std::string& name, double width) {
   constexpr double least = 8;  // letters
-  std::vector<std::string> letters = lettersOf(name);
+  std::vector<std::string> letters = charactersOf(name);
   const auto most = std::size_t(std::max(least, width / letterWidth));
   if (letters.size() <= most) return name;
   const auto half = std::ptrdiff_t((most - 1) / 2);

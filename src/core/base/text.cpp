@@ -189,6 +189,13 @@ Character characterAt(const std::string& text, std::size_t at) {
   return {c, more + 1};
 }
 
+std::vector<std::string> charactersOf(const std::string& text) {
+  std::vector<std::string> characters;
+  for (std::size_t at = 0; at < text.size(); at += characters.back().size())
+    characters.push_back(text.substr(at, characterAt(text, at).bytes));
+  return characters;
+}
+
 bool isControl(char32_t c) {
   constexpr std::array<std::pair<char32_t, char32_t>, 10> ranges{{{0x00, 0x1F},
                                                                   {0x7F, 0x9F},

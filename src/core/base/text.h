@@ -56,6 +56,8 @@ struct Character {
 
 /// Returns the character that begins at byte `at`.
 Character characterAt(const std::string& text, std::size_t at);
+/// Returns a text's characters, each byte that is no part of one by itself.
+std::vector<std::string> charactersOf(const std::string& text);
 
 /// Whether a character controls a terminal, ends a line, changes the writing direction or is
 /// invisible. The joiners U+200C and U+200D are excluded, because some scripts need them.

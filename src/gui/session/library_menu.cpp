@@ -4,7 +4,6 @@
 #include <QCoreApplication>
 #include <QFileInfo>
 
-#include "core/base/error.h"
 #include "gui/widgets/command.h"
 #include "gui/widgets/dialogs.h"
 #include "gui/widgets/guarded.h"
@@ -27,9 +26,10 @@ LibraryMenu::LibraryMenu(QMenu* menu, const QString& library, QObject* parent)
   std::vector<LibraryDisplay> displays;
   try {
     if (!library.isEmpty()) displays = loadDisplayLibrary(library.toStdString());
-  } catch (const InputError& error) {  // told when there is a window that listens
+  } catch (const std::exception& error) {  // told when there is a window that listens
     QMetaObject::invokeMethod(
-        this, [this, line = QString(error.what())] { Q_EMIT failed(line); }, Qt::QueuedConnection);
+        this, [this, line = QString::fromUtf8(error.what())] { Q_EMIT failed(line); },
+        Qt::QueuedConnection);
   }
   int digit = Qt::Key_1;
   const auto keyOf = [](int key) {
