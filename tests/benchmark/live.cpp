@@ -99,7 +99,9 @@ class Setter : public ParameterVisitor {
   void numbers(const Field&, std::span<double>, bool) override {}
   void integers(const Field&, std::span<int>, bool) override {}
   void flag(const Field&, bool&) override {}
-  void text(const Field&, std::string& value) override { value = m_file; }
+  void text(const Field& field, std::string& value) override {
+    if (field.name == "file") value = m_file;
+  }
   void choice(const Field&, int& index) override { index = 0; }  // unlit
 
  private:
