@@ -50,25 +50,6 @@ class DisplayDock : public QWidget {
   QToolButton* m_lock = nullptr;    ///< on: the size is held, off: the hogels' pitch
 };
 
-/// The twin dock: how the unit that is seen differs from the display as designed.
-class TwinDock : public QWidget {
-  Q_OBJECT
-
- public:
-  explicit TwinDock(SessionModel* model, QWidget* parent = nullptr);
-
- private:
-  /// Creates a form of a part of the twin, which `part` returns.
-  template <class Part>
-  ParameterForm* form(Part& (*part)(TwinParams&));
-  /// Hides what a lens sheet cannot have, unless it is given and has to be removed.
-  void showForms();
-
-  SessionModel* m_model;
-  ParameterForm* m_lenses;
-  QWidget* m_ofHogels;
-};
-
 /// The camera dock: the pose of the current state, and its field of view or its intrinsics.
 class CameraDock : public QWidget {
   Q_OBJECT

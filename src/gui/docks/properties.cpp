@@ -13,6 +13,7 @@
 #include "gui/docks/design_numbers_widget.h"
 #include "gui/docks/light_field_dock.h"
 #include "gui/docks/parameter_docks.h"
+#include "gui/docks/twin_dock.h"
 #include "gui/session/session_forms.h"
 #include "gui/session/session_model.h"
 #include "gui/widgets/column_area.h"
