@@ -16,7 +16,7 @@ mkdir -p "$output"
   --set sampling.reconstruction=quadrilinear
 "$program" --stability --output "$output/stability"
 "$program" --measure --session data/table1.json --output "$output/measure"
-rsvg-convert -w 1200 -b white "$output/measure/plots/mtf.svg" -o resources/manual/mtf.png
+rsvg-convert -w 1200 -b white "$output/measure/plots/mtf_page.svg" -o resources/manual/mtf.png
 cat > "$output/table.json" <<'TABLE'
 {"parameters": {"display.directions": [[10, 10], [20, 20], [40, 40]], "display.fov": [[30, 30], [60, 60]],
                 "psf.sigma": {"from": 0.4, "to": 1.6, "count": 4}},
