@@ -34,10 +34,18 @@ class CountingApplication : public QApplication {
 
   bool notify(QObject* receiver, QEvent* event) override {
     if (event->type() != QEvent::Timer) ++count;
+    const auto* widget = qobject_cast<QWidget*>(receiver);
+    if (watched != nullptr && widget != nullptr && watched->isAncestorOf(widget)) {
+      if (event->type() == QEvent::LayoutRequest) ++layouts;
+      if (event->type() == QEvent::Paint && widget->inherits("QAbstractSpinBox")) ++fields;
+    }
     return QApplication::notify(receiver, event);
   }
 
   int count = 0;
+  const QWidget* watched = nullptr;
+  int layouts = 0;  ///< of what is watched
+  int fields = 0;   ///< of numbers, painted in it
 };
 
 /// A full image of a state takes seconds, and is never asked for.
@@ -71,6 +79,7 @@ class TestFluid : public WindowTest {
   void states();
   void turning();
   void manyEditsAtOnce();
+  void anEditChangesWhatItSays();
 
  private:
   VtkWidget* sceneWidget() const { return child<VtkWidget>("sceneWidget"); }
@@ -184,6 +193,26 @@ void TestFluid::manyEditsAtOnce() {
   QCoreApplication::processEvents();
   QCoreApplication::processEvents();
   QVERIFY2(m_paints <= 4, qPrintable(QString::number(m_paints)));
+}
+
+/// An edit of the leakage neither lays the properties out nor paints the fields of other sections.
+void TestFluid::anEditChangesWhatItSays() {
+  auto& application = static_cast<CountingApplication&>(*qApp);
+  auto* focal = editor<QDoubleSpinBox>("cameraArea", "fov");
+  QVERIFY(focal->isVisible() && !sigma()->isVisible());
+  QTest::qWait(50);
+  application.watched = child<QWidget>("propertiesDock");
+  application.layouts = application.fields = 0;
+  for (int k = 0; k < 3; ++k) {
+    sigma()->setValue(sigma()->value() + 0.01);
+    QTest::qWait(20);
+  }
+  QCOMPARE(application.layouts, 0);
+  QCOMPARE(application.fields, 0);
+  focal->setValue(focal->value() + 1);
+  QTest::qWait(20);
+  QVERIFY(application.fields >= 1);
+  application.watched = nullptr;
 }
 
 int main(int argc, char** argv) {
