@@ -4,6 +4,7 @@
 
 #include <array>
 #include <ctime>
+#include <filesystem>
 
 #include "core/base/text.h"
 #include "core/content/capture_content.h"
@@ -15,6 +16,8 @@
 #include "report/versions.h"
 
 namespace hogelscope {
+
+namespace fs = std::filesystem;
 
 namespace {
 
@@ -57,7 +60,13 @@ std::string timeNow() {
 }  // namespace
 
 std::string nameIn(const ReportRequest& request, const std::string& file) {
-  return request.hasRelativeNames ? relativeTo(request.output + "/report.html", file) : file;
+  if (!request.hasRelativeNames || file.empty()) return file;
+  std::error_code error;
+  fs::path path = fs::absolute(file, error).lexically_normal();
+  if (!path.has_filename()) path = path.parent_path();  // "views/" is "views"
+  // The last name stays as it is chosen, that of a link or of a folder around the report, too.
+  const fs::path folder = relativeTo(request.output + "/report.html", path.parent_path().string());
+  return (folder / path.filename()).lexically_normal().string();
 }
 
 ReportFacts factsOf(const ReportRequest& request, FileHashes& hashes, const Progress& progress) {

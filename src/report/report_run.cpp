@@ -535,11 +535,11 @@ Report makeReport(const ReportRequest& request, const ReportListener& listener) 
   if (!exact.file) exact.file = openLightField(exact.session.lightField, exact.session.display);
   checkNames(exact);
   const FilesInUse inUse(inputsOf(exact));
+  for (ReportTest& test : exact.tests) test.name = nameIn(exact, test.name);
   {
     const FilesInUse document({exact.sessionFile});  // which may be saved while the report is made
     checkOutputs(filesOf(exact));
   }
-  for (ReportTest& test : exact.tests) test.name = nameIn(exact, test.name);
   return ReportRun(exact, listener).run();
 }
 

@@ -36,6 +36,7 @@ double cpuSeconds() {
 double decode(const std::vector<std::filesystem::path>& files, bool isKept) {
   const double begin = cpuSeconds();
   std::vector<std::unique_ptr<unsigned char[]>> pictures;
+  std::size_t room = 0;  // of the last one
   for (const std::filesystem::path& file : files) {
     std::ifstream in(file, std::ios::binary);
     const Bytes bytes{std::istreambuf_iterator<char>(in), {}};
@@ -47,8 +48,9 @@ double decode(const std::vector<std::filesystem::path>& files, bool isKept) {
     ::jpeg_read_header(&jpeg, TRUE);
     ::jpeg_start_decompress(&jpeg);
     const std::size_t stride = std::size_t{jpeg.output_width} * std::size_t(jpeg.output_components);
-    if (isKept || pictures.empty())
-      pictures.emplace_back(new unsigned char[stride * jpeg.output_height]);  // not cleared
+    const std::size_t needed = stride * jpeg.output_height;
+    if (isKept || needed > room) pictures.emplace_back(new unsigned char[needed]);  // not cleared
+    room = std::max(room, needed);
     while (jpeg.output_scanline < jpeg.output_height) {
       unsigned char* row = pictures.back().get() + stride * jpeg.output_scanline;
       ::jpeg_read_scanlines(&jpeg, &row, 1);
@@ -85,10 +87,12 @@ Cost load(const Session& session) {
                     1024.0 * double(used.ru_maxrss)};
     ::_exit(::write(ends[1], &cost, sizeof cost) == sizeof cost ? 0 : 1);
   }
+  ::close(ends[1]);
   Cost cost;
   int status = 0;
   if (::read(ends[0], &cost, sizeof cost) != sizeof cost || ::waitpid(child, &status, 0) != child)
     std::perror("child");
+  ::close(ends[0]);
   return cost;
 }
 

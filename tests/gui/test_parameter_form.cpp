@@ -10,10 +10,12 @@
 #include <QSignalSpy>
 #include <QToolButton>
 #include <QtTest>
+#include <memory>
 
 #include "core/cameras/camera_region.h"
 #include "core/optics/session.h"
 #include "gui/widgets/parameter_form.h"
+#include "tests/gui/patience.h"
 #include "tests/gui/scrub.h"
 
 using namespace hogelscope;
@@ -283,6 +285,46 @@ class TestParameterForm : public QObject {
     QCOMPARE(state.psf.sigma, PsfParams{}.sigma);
     QTest::keyClick(box, Qt::Key_Return);
     QCOMPARE(left.count(), 1);
+    QCOMPARE(state.psf.sigma, PsfParams{}.sigma);
+  }
+
+  /// Also of a text that was cleared or taken back, which the line edit does not call modified.
+  void escapeAfterClearAndUndo() {
+    CameraState state;
+    ParameterForm form([&](ParameterVisitor& v) { describe(v, state.psf); });
+    auto* box = form.findChild<QDoubleSpinBox*>("sigma");
+    const auto leave = [box] {
+      QFocusEvent out(QEvent::FocusOut);
+      QCoreApplication::sendEvent(box, &out);
+    };
+    const QString was = box->text();
+    box->clear();
+    QTest::keyClick(box, Qt::Key_Escape);
+    QCOMPARE(box->text(), was);
+    box->selectAll();
+    QTest::keyClicks(box, "1.75");
+    leave();
+    QCOMPARE(state.psf.sigma, 1.75);
+    box->findChild<QLineEdit*>()->setText(was);  // as its undo does
+    QTest::keyClick(box, Qt::Key_Escape);
+    QCOMPARE(box->text(), QString("1.75"));
+    leave();
+    QCOMPARE(state.psf.sigma, 1.75);
+  }
+
+  /// A form that ends with a text that is being typed takes nothing from it.
+  void endsWhileTyping() {
+    CameraState state;
+    auto form =
+        std::make_unique<ParameterForm>([&](ParameterVisitor& v) { describe(v, state.psf); });
+    form->show();
+    QVERIFY(QTest::qWaitForWindowExposed(form.get()));
+    activate(form.get());
+    auto* box = form->findChild<QDoubleSpinBox*>("sigma");
+    box->setFocus();
+    box->selectAll();
+    QTest::keyClicks(box, "1.75");
+    form.reset();
     QCOMPARE(state.psf.sigma, PsfParams{}.sigma);
   }
 

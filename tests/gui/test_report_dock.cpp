@@ -37,6 +37,7 @@
 #include "gui/widgets/colours.h"
 #include "io/documents/session_file.h"
 #include "report/page/test_names.h"
+#include "report/report_facts.h"
 #include "tests/cli/csv.h"
 #include "tests/gui/patience.h"
 #include "tests/gui/window_files.h"
@@ -94,6 +95,7 @@ class TestReportDock : public QObject {
   void picturesOfTheChosenState();
   void opensAReport();
   void aReportMovesWithItsTests();
+  void namesOfLinksAndFolders();
   void opensAReportOfOtherStates();
   void whatIsNoReport();
   void narrowDocks();
@@ -663,6 +665,29 @@ void TestReportDock::aReportMovesWithItsTests() {
   QSignalSpy compared(m_dock, &ReportDock::comparisonAsked);
   click("worstStateButton");
   QCOMPARE(compared.last()[0].toString(), m_folder->filePath("moved/b.png"));
+}
+
+/// A test that is a link has the link's name, and a folder around the report its own.
+void TestReportDock::namesOfLinksAndFolders() {
+  open();
+  QVERIFY(QFile::link("b.png", "link.png"));
+  QDir(".").mkpath("views/deep");
+  m_dock->setFolder(m_folder->filePath("views/deep/made"));
+  m_dock->addTest(m_folder->filePath("link.png"));
+  click("makeReportButton");
+  QTRY_VERIFY_WITH_TIMEOUT(child<QLabel>("reportNote")->text().contains("mean of the finite"),
+                           patience);
+  QVERIFY(contentOf("views/deep/made/report.csv").contains("s0,../../../link.png,"));
+  ReportRequest request;
+  request.output = "views/deep/made";
+  request.hasRelativeNames = true;
+  for (const auto& [file, name] :
+       {std::pair("views", "../../../views"), std::pair("views/", "../../../views"),
+        std::pair("views/deep/x.png", "../x.png"), std::pair("views/deep/made/x.png", "x.png"),
+        std::pair("", "")})
+    QCOMPARE(nameIn(request, file), std::string(name));
+  request.hasRelativeNames = false;
+  QCOMPARE(nameIn(request, "views/"), std::string("views/"));
 }
 
 /// The session's states are others by now: the report's are shown by name, and nothing follows.

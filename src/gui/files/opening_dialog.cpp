@@ -104,7 +104,9 @@ OpeningDialog::OpeningDialog(const QString& file, const Opening& opening, const 
   connect(m_task, &Task::stopped, this, &OpeningDialog::takeNext);
   connect(m_task, &Task::failed, this, [this](const QString& line) {
     if (!m_isStale) {
-      m_ui->headlineLabel->setText(questionOf(m_shown.lightField.layout));
+      const Layout layout = m_shown.lightField.layout;
+      if (layout != m_opening.around.session.lightField.layout)
+        m_ui->headlineLabel->setText(questionOf(layout));
       showProblem(line);
     }
     takeNext();

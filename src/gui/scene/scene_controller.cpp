@@ -58,7 +58,7 @@ SceneController::SceneController(QMenu* menu, VtkWidget* widget, QLabel* readout
   m_stateDelay.setSingleShot(true);
   m_stateDelay.setInterval(200);
   connect(&m_stateDelay, &QTimer::timeout, this, [this] {
-    renderPanel();
+    if (m_isPanelOld) renderPanel();
     requestStates();
   });
   showText();
@@ -289,7 +289,8 @@ void SceneController::connectModel() {
     tracePixel();
     markHogel();
     showModel();
-    m_stateDelay.start();  // the panel's picture has the state's leakage
+    m_isPanelOld = true;  // it has the state's leakage
+    m_stateDelay.start();
   });
 }
 
@@ -394,6 +395,7 @@ void SceneController::moveMesh(const Vec3& ball) {
 
 /// Renders the panel with one pixel per screen pixel, fewer for wide leakage windows.
 void SceneController::renderPanel() {
+  m_isPanelOld = false;
   const CameraState current = m_model->current();
   const int longest = std::max(64, 1024 * 7 / std::max(7, current.psf.windowSize));
   std::optional<CameraState> seen =

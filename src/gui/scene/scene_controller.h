@@ -120,7 +120,8 @@ class SceneController : public QObject {
   QString m_pickText;
   bool m_isPanelDark = false;  ///< no light reaches the scene's eye, so the grid marks the panel
   std::vector<std::size_t> m_watched;  ///< states whose images the list shows
-  QTimer m_stateDelay;                 ///< since the last edit, before small pictures are made
+  bool m_isPanelOld = false;           ///< its picture is to be made when edits rest
+  QTimer m_stateDelay;                 ///< until the pictures of states, and of the panel, are made
   Task m_pixelSearch;                  ///< finds the pixels that see the hogel
 };
 

@@ -55,7 +55,8 @@ QRect writeLine(QPainter& painter, const QRect& place, Qt::Alignment side, const
 QIcon icon(const QString& name);
 
 /// Fills the menus of the schemes (dark, light, the system's) and of the size of text. Both choices
-/// are saved in the settings and applied to the application, now and when they change.
+/// are saved in the settings and applied to the application and its windows, now and when they
+/// change.
 void addLook(QMenu* colours, QMenu* sizes);
 
 }  // namespace hogelscope

@@ -167,6 +167,11 @@ ParameterForm::ParameterForm(Visit visit, Visit defaults, QWidget* parent)
   refresh();
 }
 
+/// A field that loses the focus says what was typed into it, also when it is deleted.
+ParameterForm::~ParameterForm() {
+  for (QWidget* field : findChildren<QWidget*>()) field->blockSignals(true);
+}
+
 void ParameterForm::refresh() {
   m_pass = Pass::show;
   m_visited.clear();

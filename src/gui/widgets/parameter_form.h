@@ -37,6 +37,7 @@ class ParameterForm : public QWidget, private ParameterVisitor {
 
   /// `defaults` visits the default parameters; without it, no default is offered.
   explicit ParameterForm(Visit visit, Visit defaults = {}, QWidget* parent = nullptr);
+  ~ParameterForm() override;
 
   /// Hides or shows a field's row.
   void hideField(const QString& name, bool isHidden);

@@ -58,11 +58,12 @@ class ScrubField : public Box {
   /// where the field has the value: Qt rounds it by writing it, which takes long for a form of
   /// fields.
   void showValue(Value value) {
-    if (value == m_given && this->value() == m_rounded && !this->lineEdit()->isModified()) return;
+    if (value == m_given && this->value() == m_rounded && this->text() == m_givenText) return;
     const QSignalBlocker quiet(this);
     this->setValue(value);
     m_given = value;
     m_rounded = this->value();
+    m_givenText = this->text();
   }
 
   /// Returns whole numbers as they are, others with five digits or the whole integer part; the
@@ -242,6 +243,7 @@ class ScrubField : public Box {
 
   std::optional<Value> m_given;     ///< by showValue()
   Value m_rounded{};                ///< what Qt made of it
+  QString m_givenText;              ///< of the line edit then
   std::optional<double> m_pressed;  ///< where the mouse was last, on the screen
   double m_dragged = 0;             ///< the value of the drag, before it is rounded
   bool m_isDragged = false;
