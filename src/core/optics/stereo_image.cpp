@@ -55,9 +55,9 @@ class LightTables {
 
   [[nodiscard]] double lightOf(std::uint8_t code) const { return m_light[code]; }
   [[nodiscard]] std::uint8_t codeOf(double light) const {
-    const double x = limited(light);
-    const std::uint8_t code = m_first[std::size_t(x * parts)];
-    return std::uint8_t(code + int(x >= m_least[code + std::size_t{1}]));
+    const double x = std::min(std::max(light, 0.0), 1.0);  // without branches
+    const std::uint8_t code = m_first.data()[unsigned(x * parts)];
+    return std::uint8_t(code + int(x >= m_least.data()[code + 1]));
   }
 
  private:
@@ -94,8 +94,62 @@ Formulas codesOf(const FloatImage& /*image*/) {
   return {};
 }
 
+/// The products of a matrix with the light of all code values, so that an eye's part of a pixel has
+/// the bits of times().
+class EyeTables {
+ public:
+  using Light = std::array<double, 4>;  ///< red, green, blue, and what fills a register
+
+  explicit EyeTables(const Matrix& matrix) {
+    for (std::size_t channel = 0; channel < 3; ++channel)
+      for (std::size_t code = 0; code < 256; ++code)
+        for (std::size_t row = 0; row < 3; ++row)
+          m_products[256 * channel + code][row] =
+              matrix[row][channel] * codesOf(Image()).lightOf(std::uint8_t(code));
+  }
+
+  [[nodiscard]] Light lightOf(const std::uint8_t* rgb) const {
+    const Light* const products = m_products.data();
+    const double* const red = products[rgb[0]].data();
+    const double* const green = products[256 + rgb[1]].data();
+    const double* const blue = products[512 + rgb[2]].data();
+    Light light;
+    for (std::size_t k = 0; k < light.size(); ++k) light[k] = red[k] + green[k] + blue[k];
+    return light;
+  }
+
+ private:
+  std::array<Light, std::size_t{3} * 256> m_products{};
+};
+
+Image colourAnaglyph(const Image& left, const Image& right) {
+  static const EyeTables leftEye(ofLeft), rightEye(ofRight);
+  const LightTables& codes = codesOf(left);
+  Image image(left.width, left.height);
+  parallelRows(image.height, [&](int begin, int end) {
+    const auto at = [&](int row) { return std::size_t(row) * std::size_t(image.width); };
+    const std::uint8_t* ofOne = left.rgb.data() + 3 * at(begin);
+    const std::uint8_t* ofOther = right.rgb.data() + 3 * at(begin);
+    std::uint8_t* rgb = image.rgb.data() + 3 * at(begin);
+    for (std::size_t pixel = at(begin); pixel < at(end);
+         ++pixel, rgb += 3, ofOne += 3, ofOther += 3) {
+      const auto one = leftEye.lightOf(ofOne), other = rightEye.lightOf(ofOther);
+      for (std::size_t k = 0; k < 3; ++k) rgb[k] = codes.codeOf(one[k] + other[k]);
+    }
+    std::ranges::transform(left.seen.begin() + std::ptrdiff_t(at(begin)),
+                           left.seen.begin() + std::ptrdiff_t(at(end)),
+                           right.seen.begin() + std::ptrdiff_t(at(begin)),
+                           right.seen.begin() + std::ptrdiff_t(at(end)),
+                           image.seen.begin() + std::ptrdiff_t(at(begin)),
+                           [](std::uint8_t a, std::uint8_t b) { return std::max(a, b); });
+  });
+  return image;
+}
+
 template <class AnyImage>
 AnyImage anaglyph(const AnyImage& left, const AnyImage& right, bool isGrey) {
+  if constexpr (std::is_same_v<AnyImage, Image>)
+    if (!isGrey) return colourAnaglyph(left, right);
   AnyImage image(left.width, left.height);
   const auto& codes = codesOf(image);
   const auto lightAt = [&](const AnyImage& of, std::size_t pixel) {
