@@ -605,9 +605,10 @@ void MainWindow::showTitle() {
   const QString name = !m_model->file().isEmpty()           ? QFileInfo(m_model->file()).fileName()
                        : m_model->session().cameras.empty() ? tr("no session")
                                                             : tr("new session");
-  setWindowTitle(tr("%1[*] – Hogelscope").arg(name));
-  setWindowModified(m_model->isModified());
-  setWindowFilePath(m_model->file());
+  const QString title = tr("%1[*] – Hogelscope").arg(name);
+  if (title != windowTitle()) setWindowTitle(title);
+  if (m_model->isModified() != isWindowModified()) setWindowModified(m_model->isModified());
+  if (m_model->file() != windowFilePath()) setWindowFilePath(m_model->file());
   const bool isOpen = !m_model->session().cameras.empty();
   m_files->setOpen(isOpen);
   m_properties->setOpen(isOpen);

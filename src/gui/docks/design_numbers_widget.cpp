@@ -160,6 +160,7 @@ void DesignNumbersWidget::setSource(const std::optional<ViewSource>& source) {
   } catch (const std::exception&) {
     // a plugin that cannot tell its depths says so when a view is traced
   }
+  m_bar->update();
   showNumbers();
 }
 
@@ -249,6 +250,7 @@ void DesignNumbersWidget::showSheet(const SheetNumbers& n) {
 void DesignNumbersWidget::showNumbers() {
   const bool isSheet = m_model->session().display.sheet.has_value();
   const std::optional<SheetNumbers> sheet = numbersOfSheet();
+  const SharpDepths before = m_bar->sharp;
   setHidden(isSheet && !sheet);
   if (sheet) {
     showSheet(*sheet);
@@ -259,7 +261,9 @@ void DesignNumbersWidget::showNumbers() {
     m_bar->sharp = hogels;
   }
   const SharpDepths& n = m_bar->sharp;
-  m_bar->update();
+  if (n.distance != before.distance || n.depthFront != before.depthFront ||
+      n.depthBehind != before.depthBehind)
+    m_bar->update();
   const std::array sharp{-n.depthBehind, n.depthFront};
   fillCell({m_ui->number6, n.depthFront > 0 ? rangeText(sharp) : "–", "",
             tr("sharp for this eye, cm"),
