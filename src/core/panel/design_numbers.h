@@ -27,6 +27,7 @@ struct SharpDepths {
   double distance = 0;     ///< D, of the eye from the panel's plane
   double depthFront = 0;   ///< what is nearer to the eye than this is not sharp
   double depthBehind = 0;  ///< likewise behind the panel; infinite if there is no limit
+  bool operator==(const SharpDepths&) const = default;
 };
 
 /// Pairs are across and down the panel. Numbers that are not known are 0.

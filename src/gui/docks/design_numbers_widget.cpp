@@ -261,9 +261,7 @@ void DesignNumbersWidget::showNumbers() {
     m_bar->sharp = hogels;
   }
   const SharpDepths& n = m_bar->sharp;
-  if (n.distance != before.distance || n.depthFront != before.depthFront ||
-      n.depthBehind != before.depthBehind)
-    m_bar->update();
+  if (n != before) m_bar->update();
   const std::array sharp{-n.depthBehind, n.depthFront};
   fillCell({m_ui->number6, n.depthFront > 0 ? rangeText(sharp) : "–", "",
             tr("sharp for this eye, cm"),

@@ -43,6 +43,16 @@ std::string nameOf(const SessionModel& model) {
   return model.isModified() ? file + " with unsaved changes" : file;
 }
 
+/// Returns what is said of the order of the tests' views.
+QStringList ordersOf(const std::vector<ReportTest>& tests) {
+  QStringList orders;
+  for (const ReportTest& test : tests)
+    if (!test.order.empty())
+      orders << QFileInfo(QString::fromStdString(test.name)).fileName() + ": " +
+                    QString::fromStdString(test.order) + ".";
+  return orders;
+}
+
 /// Returns a folder named after the session or, if it has no file yet, after its light field.
 QString folderBeside(const SessionModel& model) {
   const QString lightField = QString::fromStdString(contentName(model.session().lightField));
@@ -374,12 +384,7 @@ void ReportDock::start() {
     if (request.session.cameras.size() != views)
       throw InputError(contentName(request.session.lightField), "has other frames than before",
                        "open it again");
-    QStringList orders;
-    for (const ReportTest& test : request.tests)
-      if (!test.order.empty())
-        orders << QFileInfo(QString::fromStdString(test.name)).fileName() + ": " +
-                      QString::fromStdString(test.order) + ".";
-    return [this, rates, orders, report = makeReport(request, listener)] {
+    return [this, rates, orders = ordersOf(request.tests), report = makeReport(request, listener)] {
       finish(report, rates);
       if (!orders.isEmpty())
         m_ui->reportNote->setText(m_ui->reportNote->text() + "\n" + orders.join("\n"));
